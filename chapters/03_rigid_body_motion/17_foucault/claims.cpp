@@ -53,27 +53,26 @@ constexpr auto squares = [](std::size_t i, std::size_t k) {
 /// A pendulum at any position in any motion.
 template <class T>
 struct SampleOf {
-  Given<T> p;
+  Given<T> p{};
   T m;
   Two<T> q, v, a;
   Space<T> free_r, free_v, free_a;  ///< a point in any motion
 
-  SampleOf() = default;
-  explicit SampleOf(Random& random)
-      : p{random.between(-1.5, 1.5), random.between(0.3, 3),  random.between(0.2, 2),
-          random.between(1, 10),     random.between(-3, 3),   random.between(0.1, 3),
-          random.magnitude(0.1, 2),  random.magnitude(0.1, 2)},
-        m(random.between(0.3, 3)),
-        q{p.theta, p.phi},
-        v{p.theta_dot, p.phi_dot},
-        a{random.magnitude(0.1, 2), random.magnitude(0.1, 2)},
-        free_r(random.point()),
-        free_v(random.point()),
-        free_a(random.point()) {}
-  std::array<T*, 20> letters() {
-    return {&p.lambda,  &p.L,       &p.omega,   &p.g,       &m,         &q[0],      &q[1],
-            &v[0],      &v[1],      &a[0],      &a[1],      &free_r[0], &free_r[1], &free_r[2],
-            &free_v[0], &free_v[1], &free_v[2], &free_a[0], &free_a[1], &free_a[2]};
+  Letters<T> table() {
+    return {{R"(\lambda)", p.lambda, {-1.5, 1.5}},
+            {"L", p.L, {0.3, 3}},
+            {R"(\omega)", p.omega, {0.2, 2}},
+            {"g", p.g, {1, 10}},
+            {R"(\theta)", q[0], {-3, 3}},
+            {R"(\phi)", q[1], {0.1, 3}},
+            {R"(\dot\theta)", v[0], either_sign(0.1, 2), "v1"},
+            {R"(\dot\phi)", v[1], either_sign(0.1, 2), "v2"},
+            {"m", m, {0.3, 3}},
+            {R"(\ddot\theta)", a[0], either_sign(0.1, 2), "a1"},
+            {R"(\ddot\phi)", a[1], either_sign(0.1, 2), "a2"},
+            {R"(\tilde r)", free_r, {-1, 1}, "r"},
+            {R"(\dot r)", free_v, {-1, 1}, "u"},
+            {R"(\ddot r)", free_a, {-1, 1}, "w"}};
   }
   /// Size of the equations' terms, also after division by sin phi.
   double size() const {
@@ -82,22 +81,11 @@ struct SampleOf {
     const double free = sqrt(3.0) * (1 + rates) * (1 + rates);
     return free + (1 + m) * (1 + size * accelerations) / abs(sin_phi());
   }
-  std::string where() const { return listed(typeset(), 6); }
+  std::string where() const { return listed(typeset_of(*this), 8); }
   TypesetIn<T> typeset() const {
     const double Dt = 0.5;
     const auto A = axes();
-    return {{R"(\lambda)", p.lambda},
-            {R"(\omega)", p.omega},
-            {R"(\theta)", q[0]},
-            {R"(\phi)", q[1]},
-            {R"(\dot\theta)", v[0]},
-            {R"(\dot\phi)", v[1]},
-            {R"(\ddot\theta)", a[0]},
-            {R"(\ddot\phi)", a[1]},
-            {"m", m},
-            {"L", p.L},
-            {"g", p.g},
-            {"b", b()},
+    return {{"b", b()},
             {"P", A.P},
             {"Q", A.Q},
             {"R", A.R},
@@ -105,7 +93,6 @@ struct SampleOf {
             {"w", w()},
             {R"(\jmath)", {0, 1, 0}},
             {"k", {0, 0, 1}},
-            {R"(\dot r)", free_v},
             {"D^2r", Dt * Dt * free_a},
             {"Dt", Dt}};
   }
@@ -176,68 +163,52 @@ namespace {
 using S = const Sample&;
 using Samples = std::vector<Sample>;
 
-/// Claims a formula that is right as printed.
-template <template <class> class Of>
-void confirmed(ProvableClaims<Of>& table, const typename ProvableClaims<Of>::Samples& samples,
-               std::string_view slug, int line, const std::string& says,
-               const std::type_identity_t<ProvableFormula<Of>>& truth, const std::string& printed,
-               const std::string& quantity = {}) {
-  table.formula(slug, line, says, samples, {.quantity = quantity, .truth = truth, .printed = printed});
-}
-
 const std::string b_is = R"(, $b=-\cos\lambda\sin\theta\sin\phi+\sin\lambda\cos\phi$)";
 
 void geometry(Table& table, const Samples& samples) {
+  const auto claim = table.over(samples);
   const std::string dual = "dual numbers", nested = "nested dual numbers";
-  table.formula(
-      "axes", 2189,
-      R"($P=(-\sin\theta,\cos\theta,0)$, $Q=(-\cos\theta\cos\phi,-\sin\theta\cos\phi,\sin\phi)$ and )"
-      R"($R=(\cos\theta\sin\phi,\sin\theta\sin\phi,\cos\phi)$ are orthonormal coordinate axes)",
-      samples,
-      {.quantity = "the axes' products",
-       .truth = {"those of orthonormal axes", [](const auto&) { return values(1, 1, 1, 0, 0, 0); }},
-       .printed = R"($(P\cdot P,\ Q\cdot Q,\ R\cdot R,\ P\cdot Q,\ P\cdot R,\ Q\cdot R)$)",
-       .changes_that_hold = "these products are all one or zero"});
-  confirmed(table, samples, "velocity", 2197, R"(The velocity is $v=L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)",
-            {R"($\frac{d}{dt}(LR)$ by dual numbers)",
-             [](const auto& s) { return s.p.L * axis_velocity(s.q, s.v); }},
-            R"($L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", "the velocity in the turning axes");
-  const std::string T = R"(\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)";
-  confirmed(table, samples, "kinetic_energy", 2205, "$T=" + T,
-            {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
-             [](const auto& s) { return s.kinetic()(s.q, s.v); }},
-            "$" + T);
-  table.formula(
-      "dT_dtheta", 2215, R"($\partial T/\partial\theta=0$)", samples,
-      {.truth = {dual, [](const auto& s) { return values(df_dq(s.kinetic(), s.q, s.v)[0]); }},
-       .printed = "$0$",
-       .near_misses = {{R"($\partial L/\partial\theta$ of the Lagrangian on the turning Earth)", [](S s) {
-                          return df_dq(Lagrangian<double>{s.p, s.m}, s.q, s.v)[0];
-                        }}}});
-  confirmed(table, samples, "derivatives", 2217,
-            R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ )"
-            R"(are $mL^2\dot\theta^2\sin\phi\cos\phi$, $mL^2\dot\theta\sin^2\phi$, $mL^2\dot\phi$)",
-            {dual,
-             [](const auto& s) {
-               const auto dv = df_dv(s.kinetic(), s.q, s.v);
-               return values(df_dq(s.kinetic(), s.q, s.v)[1], dv[0], dv[1]);
-             }},
-            R"($(mL^2\dot\theta^2\sin\phi\cos\phi,\ mL^2\dot\theta\sin^2\phi,\ mL^2\dot\phi)$)");
+  claim("axes", 2189,
+        R"($P=(-\sin\theta,\cos\theta,0)$, $Q=(-\cos\theta\cos\phi,-\sin\theta\cos\phi,\sin\phi)$ and )"
+        R"($R=(\cos\theta\sin\phi,\sin\theta\sin\phi,\cos\phi)$ are orthonormal coordinate axes)",
+        {.quantity = "the axes' products",
+         .truth = {"those of orthonormal axes", [](const auto&) { return values(1, 1, 1, 0, 0, 0); }},
+         .printed = R"($(P\cdot P,\ Q\cdot Q,\ R\cdot R,\ P\cdot Q,\ P\cdot R,\ Q\cdot R)$)",
+         .changes_that_hold = "these products are all one or zero"});
+  claim("velocity", 2197, R"(The velocity is $v=L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)",
+        {R"($\frac{d}{dt}(LR)$ by dual numbers)",
+         [](const auto& s) { return s.p.L * axis_velocity(s.q, s.v); }},
+        R"($L(\dot\theta\sin\phi\,P-\dot\phi\,Q)$)", "the velocity in the turning axes");
+  claim.equation("kinetic_energy", 2205, R"($T=\frac{mL^2}2(\dot\theta^2\sin^2\phi+\dot\phi^2)$)",
+                 {R"($\frac m2|\frac{d}{dt}(LR)|^2$ by dual numbers)",
+                  [](const auto& s) { return s.kinetic()(s.q, s.v); }});
+  claim("dT_dtheta", 2215, R"($\partial T/\partial\theta=0$)",
+        {.truth = {dual, [](const auto& s) { return values(df_dq(s.kinetic(), s.q, s.v)[0]); }},
+         .printed = "$0$",
+         .near_misses = {{R"($\partial L/\partial\theta$ of the Lagrangian on the turning Earth)", [](S s) {
+                            return df_dq(Lagrangian<double>{s.p, s.m}, s.q, s.v)[0];
+                          }}}});
+  claim("derivatives", 2217,
+        R"($\partial T/\partial\phi$, $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ )"
+        R"(are $mL^2\dot\theta^2\sin\phi\cos\phi$, $mL^2\dot\theta\sin^2\phi$, $mL^2\dot\phi$)",
+        {dual,
+         [](const auto& s) {
+           const auto dv = df_dv(s.kinetic(), s.q, s.v);
+           return values(df_dq(s.kinetic(), s.q, s.v)[1], dv[0], dv[1]);
+         }},
+        R"($(mL^2\dot\theta^2\sin\phi\cos\phi,\ mL^2\dot\theta\sin^2\phi,\ mL^2\dot\phi)$)");
   const std::string of_theta = R"(mL^2(\ddot\theta\sin^2\phi+2\dot\theta\dot\phi\sin\phi\cos\phi))",
                     of_phi = R"(mL^2(\ddot\phi-\dot\theta^2\sin\phi\cos\phi))";
-  confirmed(
-      table, samples, "momentum_rates", 2223,
-      R"(The time derivatives of $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ are $)" +
-          of_theta + R"($, $mL^2\ddot\phi$)",
-      {nested, [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
-      "$(" + of_theta + R"(,\ mL^2\ddot\phi)$)");
-  confirmed(table, samples, "left_sides", 2237,
-            "Lagrange's equations have the left sides $" + of_theta + "$, $" + of_phi + "$",
-            {nested, [](const auto& s) { return lagrange_left_side(s.kinetic(), s.q, s.v, s.a); }},
-            "$(" + of_theta + R"(,\ )" + of_phi + ")$");
-  confirmed(
-      table, samples, "dR", 2253,
-      R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$ are $\sin\phi\,P$ and $-Q$)",
+  claim("momentum_rates", 2223,
+        R"(The time derivatives of $\partial T/\partial\dot\theta$ and $\partial T/\partial\dot\phi$ are $)" +
+            of_theta + R"($, $mL^2\ddot\phi$)",
+        {nested, [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }},
+        "$(" + of_theta + R"(,\ mL^2\ddot\phi)$)");
+  claim("left_sides", 2237, "Lagrange's equations have the left sides $" + of_theta + "$, $" + of_phi + "$",
+        {nested, [](const auto& s) { return lagrange_left_side(s.kinetic(), s.q, s.v, s.a); }},
+        "$(" + of_theta + R"(,\ )" + of_phi + ")$");
+  claim(
+      "dR", 2253, R"($\partial R/\partial\theta$ and $\partial R/\partial\phi$ are $\sin\phi\,P$ and $-Q$)",
       {dual,
        [](const auto& s) {
          const auto a = axis_velocity(s.q, decltype(s.q){1, 0}), b = axis_velocity(s.q, decltype(s.q){0, 1});
@@ -247,15 +218,15 @@ void geometry(Table& table, const Samples& samples) {
 }
 
 void forces(Table& table, const Samples& samples) {
-  confirmed(
-      table, samples, "force", 2243,
-      R"(The turning axes add $-2w\times\dot r$ to the acceleration by gravity and rod, to first order )"
-      R"(in $\omega$ (our condition))",
-      {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
-       [](const auto& s) { return s.coriolis_acceleration(-1); }},
-      R"($-2w\times\dot r$)");
-  table.formula(
-      "second_derivative", 2243, R"(The force on the mass is $m\,D^2r/Dt$)", samples,
+  const auto claim = table.over(samples);
+  claim("force", 2243,
+        R"(The turning axes add $-2w\times\dot r$ to the acceleration by gravity and rod, to first order )"
+        R"(in $\omega$ (our condition))",
+        {R"($\ddot r$ less the acceleration in axes that do not turn, its part linear in $\omega$)",
+         [](const auto& s) { return s.coriolis_acceleration(-1); }},
+        R"($-2w\times\dot r$)");
+  claim(
+      "second_derivative", 2243, R"(The force on the mass is $m\,D^2r/Dt$)",
       {.quantity = "the acceleration",
        .truth = {R"($\ddot r$ in the turning axes)", [](const auto& s) { return s.free_a; }},
        .printed = "$D^2r/Dt$",
@@ -265,8 +236,8 @@ void forces(Table& table, const Samples& samples) {
            R"(The square of $Dt$ is missing, here and in lines 2259 and 2271: the acceleration is )"
            R"($D^2r/Dt^2$. A second difference over a single $Dt$ has the unit of a velocity, and goes to zero )"
            R"(with $Dt$.)"});
-  table.formula(
-      "earth_rotation", 2419, R"(The Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)", samples,
+  claim(
+      "earth_rotation", 2419, R"(The Earth turns with $w=\omega[(\cos\lambda)-(\sin\lambda)k]$)",
       {.quantity = R"($2w\times\dot r$)",
        .truth = {R"(the acceleration in space of a point in axes to the west, north and down that a sphere )"
                  R"(carries to the east, its part linear in $\omega$)",
@@ -278,20 +249,18 @@ void forces(Table& table, const Samples& samples) {
            R"(of line 2425 show it: $P\cdot w=\omega\cos\lambda\cos\theta$. Without the term a body would )"
            R"(fall straight, and not to the east.)"});
 
-  const auto force = [&](std::string_view slug, int line, const std::string& angle, std::size_t i,
-                         const std::string& formula) {
-    confirmed(table, samples, slug, line, "$F_" + angle + "=" + formula + "$" + b_is,
-              {R"(Lagrange's equations on the turning Earth less their kinetic part, linear in $\omega$)",
-               [=](const auto& s) { return s.generalized_force()[i]; }},
-              "$" + formula + "$");
+  const auto force = [](std::size_t i) -> ProvableFormula<SampleOf> {
+    return {R"(Lagrange's equations on the turning Earth less their kinetic part, linear in $\omega$)",
+            [=](const auto& s) { return s.generalized_force()[i]; }};
   };
-  force("force_theta", 2261, R"(\theta)", 0, R"((mL\sin\phi)\,2L\omega\dot\phi\,b)");
-  force("force_phi", 2273, R"(\phi)", 1, R"(-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi))");
+  claim.equation("force_theta", 2261, R"($F_\theta=(mL\sin\phi)\,2L\omega\dot\phi\,b$)" + b_is, force(0));
+  claim.equation("force_phi", 2273, R"($F_\phi=-mL(2L\omega\dot\theta\sin\phi\,b+g\sin\phi)$)" + b_is,
+                 force(1));
 }
 
 /// A motion that satisfies the first equation before its sine is canceled, unless it is at the lowest point.
 struct Passing : Sample {
-  Passing(Random& random, bool lowest) : Sample(random) {
+  Passing(Random& random, bool lowest) : Sample(drawn<Sample>(random)) {
     if (lowest)
       q[1] = 0;
     else
@@ -323,17 +292,18 @@ void cancellation(Claims& claims, double seed) {
 }
 
 void equations(Table& table, const Samples& samples) {
+  const auto claim = table.over(samples);
   const std::string theta = R"(\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi-2\omega\dot\phi\,b)",
                     phi = R"(\ddot\phi-\dot\theta^2\sin\phi\cos\phi+2\omega\dot\theta\sin\phi\,b+)",
                     pull = R"((g/L)\sin\phi)";
-  confirmed(table, samples, "equation_theta", 2279,
-            R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$)" + b_is,
-            {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
-             [](const auto& s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
-            "$" + theta + "$", "the first equation of motion, left side less right side");
-  table.formula(
+  claim("equation_theta", 2279,
+        R"($\ddot\theta\sin\phi+2\dot\theta\dot\phi\cos\phi=2\omega\dot\phi\,b$)" + b_is,
+        {R"(Lagrange's equation for $\theta$, linear in $\omega$, by $mL^2\sin\phi$)",
+         [](const auto& s) { return s.to_first_order()[0] / (s.mL2() * s.sin_phi()); }},
+        "$" + theta + "$", "the first equation of motion, left side less right side");
+  claim(
       "equation_phi", 2281,
-      R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi=-2\omega\dot\theta\sin\phi\,b-gL\sin\phi$)" + b_is, samples,
+      R"($\ddot\phi-\dot\theta^2\sin\phi\cos\phi=-2\omega\dot\theta\sin\phi\,b-gL\sin\phi$)" + b_is,
       {.quantity = "the second equation of motion, left side less right side",
        .truth = {R"(Lagrange's equation for $\phi$, linear in $\omega$, by $mL^2$)",
                  [](const auto& s) { return s.to_first_order()[1] / s.mL2(); }},
@@ -342,15 +312,15 @@ void equations(Table& table, const Samples& samples) {
        .why =
            R"($gL\sin\phi$ is $(g/L)\sin\phi$, its bar lost: the force before has $g\sin\phi$, and is divided )"
            R"(by $mL^2$.)"});
-  confirmed(table, samples, "newton", 2283, "The two equations are those of Newton's law along $P$ and $Q$",
-            {R"($(\ddot r+2w\times\dot r-gk)\cdot(P,-Q)/L$, the acceleration by dual numbers)",
-             [](const auto& s) {
-               auto r = s.p.L * s.axis_second_rate() + 2 * cross(s.w(), s.p.L * axis_velocity(s.q, s.v));
-               r[2] -= s.p.g;
-               return values(dot(r, s.axes().P) / s.p.L, -dot(r, s.axes().Q) / s.p.L);
-             }},
-            R"($\left()" + theta + R"(,\ )" + phi + pull + R"(\right)$)",
-            "both equations, left side less right side");
+  claim("newton", 2283, "The two equations are those of Newton's law along $P$ and $Q$",
+        {R"($(\ddot r+2w\times\dot r-gk)\cdot(P,-Q)/L$, the acceleration by dual numbers)",
+         [](const auto& s) {
+           auto r = s.p.L * s.axis_second_rate() + 2 * cross(s.w(), s.p.L * axis_velocity(s.q, s.v));
+           r[2] -= s.p.g;
+           return values(dot(r, s.axes().P) / s.p.L, -dot(r, s.axes().Q) / s.p.L);
+         }},
+        R"($\left()" + theta + R"(,\ )" + phi + pull + R"(\right)$)",
+        "both equations, left side less right side");
 }
 
 // ---- the cone ---------------------------------------------------------------------------------------------
@@ -369,7 +339,7 @@ struct ConeSampleOf {
   explicit ConeSampleOf(Random& random)
       : cone{random.between(0.5, 2), random.between(0.5, 2)},
         height(random.between(0.1, 0.9) * cone.h),
-        motion(random) {
+        motion(drawn<SampleOf<T>>(random)) {
     motion.p.L = cone.L();
   }
   std::array<T*, 12> quantities() {
@@ -385,11 +355,10 @@ struct ConeSampleOf {
   }
   std::string where() const { return listed({{"h", h()}, {"r", r()}}, 2) + ", " + motion.where(); }
   TypesetIn<T> typeset() const {
-    TypesetIn<T> all = motion.typeset();
-    std::erase_if(all, [](const auto& letter) { return letter.first == "m" || letter.first == "L"; });
-    const TypesetIn<T> of_cone{{"m", mass()}, {"h", h()},        {"r", r()},
-                               {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}};
-    all.insert(all.end(), of_cone.begin(), of_cone.end());
+    TypesetIn<T> all{{"m", mass()}, {"h", h()},        {"r", r()},
+                     {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}};
+    for (const auto& letter : typeset_of(motion))
+      if (letter.first != "m" && letter.first != "L") all.push_back(letter);
     return all;
   }
   T rho(const T& z) const { return radius(r(), h(), z); }
@@ -530,32 +499,31 @@ auto integrals(const F&... f) {
 constexpr auto moment = [](std::size_t i) { return [=](const auto& x) { return x[i]; }; };
 
 /// A claim that integrals are zero.
-void no_integrals(ConeTable& table, const Cones& cones, std::string_view slug, int line,
-                  const std::string& says, const std::string& quantity, const OfCone& truth,
-                  const OfCone& near_miss) {
-  table.formula(slug, line, says, cones,
-                {.quantity = quantity,
-                 .truth = truth,
-                 .printed = "$0$",
-                 .near_misses = {near_miss},
-                 .changes_that_hold = "zero has no sign"});
+void no_integrals(const auto& claim, std::string_view slug, int line, const std::string& says,
+                  const std::string& quantity, const OfCone& truth, const OfCone& near_miss) {
+  claim(slug, line, says,
+        {.quantity = quantity,
+         .truth = truth,
+         .printed = "$0$",
+         .near_misses = {near_miss},
+         .changes_that_hold = "zero has no sign"});
 }
 
 void center_of_mass(ConeTable& table, const Cones& cones) {
+  const auto claim = table.over(cones);
   const std::string root = "a center of mass that halves the volume";
-  confirmed(table, cones, "cone_mass", 2299, R"(The cone's mass, its density being 1, is $m=\pi r^2h/3$)",
-            {"quadrature", [](const auto& s) { return s.volume_above(0.0); }}, R"($\pi r^2h/3$)");
-  no_integrals(table, cones, "center_on_axis", 2305,
-               R"(The center of mass is on the axis: $\bar x=\bar y=0$)", "the moments of $x$ and $y$",
-               {"quadrature", integrals(moment(0), moment(1))}, {"the moment of $z$", integrals(moment(2))});
-  confirmed(
-      table, cones, "upper_part", 2305, R"(Above a plane $z$ lies the volume $\pi r^2(1-z/h)^2(h-z)/3$)",
-      {"quadrature", [](const auto& s) { return s.volume_above(s.height); }}, R"($\pi r^2(1-z/h)^2(h-z)/3$)");
-  table.formula(
+  claim("cone_mass", 2299, R"(The cone's mass, its density being 1, is $m=\pi r^2h/3$)",
+        {"quadrature", [](const auto& s) { return s.volume_above(0.0); }}, R"($\pi r^2h/3$)");
+  no_integrals(claim, "center_on_axis", 2305, R"(The center of mass is on the axis: $\bar x=\bar y=0$)",
+               "the moments of $x$ and $y$", {"quadrature", integrals(moment(0), moment(1))},
+               {"the moment of $z$", integrals(moment(2))});
+  claim("upper_part", 2305, R"(Above a plane $z$ lies the volume $\pi r^2(1-z/h)^2(h-z)/3$)",
+        {"quadrature", [](const auto& s) { return s.volume_above(s.height); }},
+        R"($\pi r^2(1-z/h)^2(h-z)/3$)");
+  claim(
       "center_halves", 2305,
       R"(Half the volume lies above the center of mass: )"
       R"($\pi r^2(1-\bar z/h)^2(h-\bar z)/3=\frac12\,\pi r^2h/3$)",
-      cones,
       {.quantity = "the volume above the center of mass",
        .truth = {"volume and center of mass by quadrature",
                  [](const auto& s) { return s.volume_above(s.center()); }},
@@ -567,30 +535,28 @@ void center_of_mass(ConeTable& table, const Cones& cones) {
            R"(The center of mass balances moments, not volumes: the parts above and below have equal moments )"
            R"($\int(z-\bar z)\,dV$. Above it lies $(3/4)^3=27/64=@2$ of the cone.)",
            {above_center<double>()})});
-  confirmed(table, cones, "halving_height", 2315, "The plane that halves the volume is $z=h(1-2^{-1/3})$",
-            {"quadrature",
-             []<class T>(const ConeSampleOf<T>& s) { return s.volume_above(halving_height<T>() * s.h()); }},
-            R"($\frac12\,\pi r^2h/3$)", "the volume above the plane $z=h(1-2^{-1/3})$");
-  table.formula(
-      "center_height", 2315, R"(The center of mass is at the height $\bar z=h(1-2^{-1/3})$)", cones,
-      {.truth = {"the moment of $z$ by the volume, both by quadrature",
-                 [](const auto& s) { return s.center(); }},
-       .printed = "$h(1-2^{-1/3})$",
-       .corrected = "$h/4$",
-       .root = root,
-       .why =
-           filled(R"($h(1-2^{-1/3})=@4\,h$ is where the volume is halved; the center of mass is at $h/4$.)",
-                  {halving_height<double>()})});
-  table.formula("L", 2319, "From the vertex, which is the joint, to the center of mass it is $L=h/2^{1/3}$",
-                cones,
-                {.quantity = "$L$, from the joint, which is the vertex, to the center of mass",
-                 .truth = {"$h$ less the height of the center of mass by quadrature",
-                           [](const auto& s) { return s.h() - s.center(); }},
-                 .printed = "$h/2^{1/3}$",
-                 .corrected = "$3h/4$",
-                 .root = root,
-                 .why = filled(R"($L=3h/4=0.75\,h$, not $@4\,h$: the volume was halved, not its moment.)",
-                               {printed_length<double>()})});
+  claim("halving_height", 2315, "The plane that halves the volume is $z=h(1-2^{-1/3})$",
+        {"quadrature",
+         []<class T>(const ConeSampleOf<T>& s) { return s.volume_above(halving_height<T>() * s.h()); }},
+        R"($\frac12\,\pi r^2h/3$)", "the volume above the plane $z=h(1-2^{-1/3})$");
+  claim("center_height", 2315, R"(The center of mass is at the height $\bar z=h(1-2^{-1/3})$)",
+        {.truth = {"the moment of $z$ by the volume, both by quadrature",
+                   [](const auto& s) { return s.center(); }},
+         .printed = "$h(1-2^{-1/3})$",
+         .corrected = "$h/4$",
+         .root = root,
+         .why =
+             filled(R"($h(1-2^{-1/3})=@4\,h$ is where the volume is halved; the center of mass is at $h/4$.)",
+                    {halving_height<double>()})});
+  claim("L", 2319, "From the vertex, which is the joint, to the center of mass it is $L=h/2^{1/3}$",
+        {.quantity = "$L$, from the joint, which is the vertex, to the center of mass",
+         .truth = {"$h$ less the height of the center of mass by quadrature",
+                   [](const auto& s) { return s.h() - s.center(); }},
+         .printed = "$h/2^{1/3}$",
+         .corrected = "$3h/4$",
+         .root = root,
+         .why = filled(R"($L=3h/4=0.75\,h$, not $@4\,h$: the volume was halved, not its moment.)",
+                       {printed_length<double>()})});
 }
 
 void decimals(Claims& claims) {
@@ -603,44 +569,33 @@ void decimals(Claims& claims) {
 
 /// Claims the integrals of lines 2329 to 2341, checked by QAGS.
 void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
+  const auto claim = table.over(cones), by_adaptive = table.over(by_qags);
   const OfCone Ixx{"quadrature in cylindrical coordinates", [](const auto&s) { return s.Ixx(); }},
       Izz{"quadrature", [](const auto&s) { return s.Izz(); }};
   const auto over_chords = [](double y2, double z2) {
     return [=](const auto& s) { return s.over_chords(y2, z2); };
   };
-  const auto lost_bar = [&](std::string_view slug, int line, const std::string& quantity, const OfCone& truth,
-                            const std::string& formula, const std::string& divisor) {
-    table.formula(slug, line, "$" + quantity + "=" + formula + R"(\,)" + divisor + "$", cones,
-                  {.quantity = "$" + quantity + "$",
-                   .truth = truth,
-                   .printed = "$" + formula + R"(\,)" + divisor + "$",
-                   .meant = "$" + formula + "/" + divisor + "$",
-                   .why = "The bar over " + divisor + " is lost."});
-  };
-  table.formula("Ixx_limits", 2329,
-                R"($I_{xx}$ is the integral of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
-                by_qags,
-                {.quantity = "$I_{xx}$ as a triple integral, and its limits",
-                 .truth = Ixx,
-                 .printed = {R"(of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
-                             [=](const auto& s) { return s.cartesian_integral(squares(1, 2)); }},
-                 .near_misses = {{R"(of $y^2+z^2$ over $|x|<\rho$, $|y|<\rho$, $0<z<h$)", [=](C s) {
-                                    return s.cartesian_integral(squares(1, 2),
-                                                                [&](double z, double) { return s.rho(z); });
-                                  }}}});
-  table.formula(
+  by_adaptive("Ixx_limits", 2329,
+              R"($I_{xx}$ is the integral of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
+              {.quantity = "$I_{xx}$ as a triple integral, and its limits",
+               .truth = Ixx,
+               .printed = {R"(of $y^2+z^2$ over $|x|<\sqrt{\rho^2-y^2}$, $|y|<\rho$, $0<z<h$)",
+                           [=](const auto& s) { return s.cartesian_integral(squares(1, 2)); }},
+               .near_misses = {{R"(of $y^2+z^2$ over $|x|<\rho$, $|y|<\rho$, $0<z<h$)", [=](C s) {
+                                  return s.cartesian_integral(squares(1, 2),
+                                                              [&](double z, double) { return s.rho(z); });
+                                }}}});
+  by_adaptive(
       "Ixx_after_x", 2335,
       R"(Integrated over $x$, $I_{xx}$ is the integral of $2(y^2+z^2)\sqrt{\rho^2-y^2}$ over $y$ and $z$)",
-      by_qags,
       {.quantity = "$I_{xx}$ after integrating over $x$",
        .truth = Ixx,
        .printed = {R"(of $2(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_chords(2, 2)},
        .near_misses = {{R"(of $(y^2+z^2)\sqrt{\rho^2-y^2}$)", over_chords(1, 1)}}});
-  table.formula(
+  by_adaptive(
       "Ixx_split", 2341,
       R"(The first integral over $y$ in $I_{xx}$ has $2y^2\sqrt{\rho^2-y^2}$, the second )"
       R"($z^2\sqrt{\rho^2-y^2}$)",
-      by_qags,
       {.quantity = "$I_{xx}$",
        .truth = Ixx,
        .printed = {R"(of $2y^2\sqrt{\rho^2-y^2}$ and of $z^2\sqrt{\rho^2-y^2}$)", over_chords(2, 1)},
@@ -650,16 +605,15 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
        .why =
            R"(The factor 2 of the line before is lost in the second integral. The next line shows it again: )"
            R"(with $\int\sqrt{\rho^2-y^2}\,dy=\pi\rho^2/2$ it has $\pi\rho^2z^2$.)"});
-  confirmed(table, cones, "Ixx_over_z", 2355,
-            R"($I_{xx}$ is the integral of $\pi\rho^4/4+\pi\rho^2z^2$ over $z$)", Ixx,
-            R"($\int_0^h(\pi(r(1-z/h))^4/4+\pi(r(1-z/h))^2z^2)\,dz$)",
-            R"($I_{xx}$ as an integral over $z$, with $\rho=r(1-z/h)$)");
+  claim("Ixx_over_z", 2355, R"($I_{xx}$ is the integral of $\pi\rho^4/4+\pi\rho^2z^2$ over $z$)", Ixx,
+        R"($\int_0^h(\pi(r(1-z/h))^4/4+\pi(r(1-z/h))^2z^2)\,dz$)",
+        R"($I_{xx}$ as an integral over $z$, with $\rho=r(1-z/h)$)");
   const auto over_height = [](const std::string& factor) {
     return R"($\pi\int_0^h(\frac14r^4(1-z/h)^4+)" + factor + R"((1-z/h)^2)\,dz$)";
   };
-  table.formula(
+  claim(
       "Ixx_factored", 2357,
-      R"($I_{xx}$ is $\pi$ times the integral of $\frac14r^4(1-z/h)^4+z^2(1-z/h)^2$ over $z$)", cones,
+      R"($I_{xx}$ is $\pi$ times the integral of $\frac14r^4(1-z/h)^4+z^2(1-z/h)^2$ over $z$)",
       {.quantity = "$I_{xx}$",
        .truth = Ixx,
        .printed = over_height("z^2"),
@@ -667,48 +621,49 @@ void moments(ConeTable& table, const Cones& cones, const Cones& by_qags) {
        .kind = Fault::formula,
        .why =
            R"(The second term is $\rho^2z^2=r^2z^2(1-z/h)^2$; its $r^2$ is missing here and is back in the next line.)"});
-  lost_bar("Ixx_closed", 2363, "I_{xx}", Ixx, R"(\pi r^2h(2h^2+3r^2))", "60");
+  claim.lost("Ixx_closed", 2363, R"($I_{xx}=\pi r^2h(2h^2+3r^2)\,60$)", Ixx,
+             R"($I_{xx}=\pi r^2h(2h^2+3r^2)/60$)", "The bar over 60 is lost.");
   const std::string by_mass = "$m(2h^2+3r^2)/20$";
-  confirmed(table, cones, "Ixx", 2365, "About the base's center $I_{xx}=m(2h^2+3r^2)/20$", Ixx, by_mass);
-  confirmed(table, cones, "Iyy", 2371, "$I_{yy}=I_{xx}=m(2h^2+3r^2)/20$",
-            {"quadrature", integrals(squares(0, 2))}, by_mass);
-  no_integrals(table, cones, "products", 2375, "The products of inertia are zero: $I_{xy}=I_{xz}=I_{yz}=0$",
+  claim("Ixx", 2365, "About the base's center $I_{xx}=m(2h^2+3r^2)/20$", Ixx, by_mass);
+  claim("Iyy", 2371, "$I_{yy}=I_{xx}=m(2h^2+3r^2)/20$", {"quadrature", integrals(squares(0, 2))}, by_mass);
+  no_integrals(claim, "products", 2375, "The products of inertia are zero: $I_{xy}=I_{xz}=I_{yz}=0$",
                "$(I_{xy},I_{xz},I_{yz})$",
                {"quadrature", integrals(product(0, 1), product(0, 2), product(1, 2))},
                {"the integral of $x^2$", integrals(product(0, 0))});
-  confirmed(table, by_qags, "Izz_cylindrical", 2389,
-            R"(In cylindrical coordinates $I_{zz}$ is the integral of $s^3\,ds\,d\theta\,dz$)",
-            {"the integral of $x^2+y^2$ in Cartesian coordinates, by QAGS",
-             [](const auto& s) { return s.cartesian_integral(squares(0, 1)); }},
-            R"($\int_0^h2\pi\int_0^{r(1-z/h)}s^3\,ds\,dz$)", "$I_{zz}$ in cylindrical coordinates");
-  lost_bar("Izz_closed", 2393, "I_{zz}", Izz, R"(\pi r^4h)", "10");
-  confirmed(table, cones, "Izz", 2395, "$I_{zz}=3mr^2/10$", Izz, "$3mr^2/10$");
+  by_adaptive("Izz_cylindrical", 2389,
+              R"(In cylindrical coordinates $I_{zz}$ is the integral of $s^3\,ds\,d\theta\,dz$)",
+              {"the integral of $x^2+y^2$ in Cartesian coordinates, by QAGS",
+               [](const auto& s) { return s.cartesian_integral(squares(0, 1)); }},
+              R"($\int_0^h2\pi\int_0^{r(1-z/h)}s^3\,ds\,dz$)", "$I_{zz}$ in cylindrical coordinates");
+  claim.lost("Izz_closed", 2393, R"($I_{zz}=\pi r^4h\,10$)", Izz, R"($I_{zz}=\pi r^4h/10$)",
+             "The bar over 10 is lost.");
+  claim.equation("Izz", 2395, "$I_{zz}=3mr^2/10$", Izz);
 }
 
 void tensor(ConeTable& table, const Cones& cones) {
+  const auto claim = table.over(cones);
   const std::string by_axes = "I_{xx}(PP^T+QQ^T)+I_{zz}RR^T";
-  confirmed(table, cones, "J_world", 2417,
-            "In world coordinates $J=" + by_axes + "$ (our condition: about the base's center)",
-            {"quadrature over the turned cone",
-             []<class T>(const ConeSampleOf<T>& s) {
-               const Space<T> e[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-               std::array<T, 9> J;
-               for (std::size_t i = 0; i < 9; ++i) J[i] = s.inertia(e[i / 3], e[i % 3]);
-               return J;
-             }},
-            "$" + by_axes + "$");
+  claim("J_world", 2417, "In world coordinates $J=" + by_axes + "$ (our condition: about the base's center)",
+        {"quadrature over the turned cone",
+         []<class T>(const ConeSampleOf<T>& s) {
+           const Space<T> e[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+           std::array<T, 9> J;
+           for (std::size_t i = 0; i < 9; ++i) J[i] = s.inertia(e[i / 3], e[i % 3]);
+           return J;
+         }},
+        "$" + by_axes + "$");
   const OfCone turned{R"(with $(P+R)/\sqrt2$ and $(P-R)/\sqrt2$ in place of $P$ and $R$)", [](C s) {
                         const auto A = s.motion.axes();
                         return (s.inertia(A.P, A.P) - s.inertia(A.R, A.R)) / 2;
                       }};
-  no_integrals(table, cones, "principal", 2297, "The cone's axis is along $R$, and is a principal direction",
+  no_integrals(claim, "principal", 2297, "The cone's axis is along $R$, and is a principal direction",
                R"($P\cdot JR$ and $Q\cdot JR$, zero for a principal direction $R$)",
                {"quadrature",
                 [](const auto& s) {
                   return s.inertia({{0, 2}, {1, 2}});
                 }},
                turned);
-  no_integrals(table, cones, "other_principal", 2297, "$P$ and $Q$ are two other principal directions",
+  no_integrals(claim, "other_principal", 2297, "$P$ and $Q$ are two other principal directions",
                R"($P\cdot JQ$, $P\cdot JR$ and $Q\cdot JR$, zero for principal directions $P$ and $Q$)",
                {"quadrature",
                 [](const auto& s) {
@@ -717,15 +672,14 @@ void tensor(ConeTable& table, const Cones& cones) {
                turned);
   const OfCone wJw{R"($w\cdot Jw$ by quadrature)",
                    [](const auto& s) { return s.inertia(s.motion.w(), s.motion.w()); }};
-  const std::string by_parts = R"(I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)",
-                    by_angles = R"(\omega^2I_{xx}(\cos^2\lambda\cos^2\theta+(\cos\lambda\sin\theta\cos\phi)"
+  const std::string by_angles = R"(\omega^2I_{xx}(\cos^2\lambda\cos^2\theta+(\cos\lambda\sin\theta\cos\phi)"
                                 R"(+\sin\lambda\sin\phi)^2)+\omega^2I_{zz}(\cos\lambda\sin\theta\sin\phi)"
                                 R"(-\sin\lambda\cos\phi)^2$)";
-  confirmed(table, cones, "wJw", 2421, R"($w\cdot Jw=)" + by_parts, wJw, "$" + by_parts);
-  confirmed(table, cones, "wJw_angles", 2425, R"($w\cdot Jw=)" + by_angles, wJw, "$" + by_angles,
-            R"($w\cdot Jw$ in the angles, $w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$)");
-  table.formula(
-      "J_in_T", 2401, "The tensor $J$ in the kinetic energy has $I_{xx}=m(2h^2+3r^2)/20$", cones,
+  claim.equation("wJw", 2421, R"($w\cdot Jw=I_{xx}((P\cdot w)^2+(Q\cdot w)^2)+I_{zz}(R\cdot w)^2$)", wJw);
+  claim("wJw_angles", 2425, R"($w\cdot Jw=)" + by_angles, wJw, "$" + by_angles,
+        R"($w\cdot Jw$ in the angles, $w=\omega(\cos\lambda\,\jmath-\sin\lambda\,k)$)");
+  claim(
+      "J_in_T", 2401, "The tensor $J$ in the kinetic energy has $I_{xx}=m(2h^2+3r^2)/20$",
       {.quantity = "$I_{xx}$ of the tensor $J$ that is added to the energy of the center of mass",
        .truth = {"quadrature about the center of mass", [](const auto& s) { return s.across(s.center()); }},
        .printed = "$m(2h^2+3r^2)/20$",
@@ -734,8 +688,8 @@ void tensor(ConeTable& table, const Cones& cones) {
        .why =
            R"(The integrals are about the center of the base. With $m|v|^2/2$ of the center of mass belongs )"
            R"(the tensor about the center of mass, $I_{xx}=3m(h^2+4r^2)/80$, less by $m(h/4)^2$.)"});
-  table.formula(
-      "cone_energy", 2287, R"(The cone has the kinetic energy $\frac m2|v|^2+\frac12w\cdot Jw$)", cones,
+  claim(
+      "cone_energy", 2287, R"(The cone has the kinetic energy $\frac m2|v|^2+\frac12w\cdot Jw$)",
       {.truth = {"half the speed's square over a cone that hangs by its vertex and swings, by quadrature",
                  [](const auto& s) { return s.kinetic_energy(); }},
        .printed =
@@ -759,10 +713,9 @@ struct SwingingOf : ConeSampleOf<T> {
   double size() const { return this->motion.size(); }
   Tolerance tolerance(double) const { return rounding(size(), 512); }
   TypesetIn<T> typeset() const {
-    TypesetIn<T> all = this->motion.typeset();
-    std::erase_if(all, [](const auto& letter) { return letter.first == "m" || letter.first == "L"; });
-    all.push_back({"K", this->cone.L() * this->cone.equivalent_length()});
-    all.push_back({"L", this->cone.L()});
+    TypesetIn<T> all{{"K", this->cone.L() * this->cone.equivalent_length()}, {"L", this->cone.L()}};
+    for (const auto& letter : typeset_of(this->motion))
+      if (letter.first != "m" && letter.first != "L") all.push_back(letter);
     return all;
   }
 };
@@ -773,6 +726,7 @@ using Swinging = SwingingOf<double>;
 using SwingTable = ProvableClaims<SwingingOf>;
 
 void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
+  const auto claim = table.over(samples);
   const auto appended = []<class T>(const SwingingOf<T>& s) {
     const auto& m = s.motion;
     const BookEnergyOf<T> energy{book_cone(s.cone), m.w()};
@@ -793,10 +747,9 @@ void cone_equations(SwingTable& table, const std::vector<Swinging>& samples) {
     point.p.L = s.cone.equivalent_length();
     return s.cone.L() / point.p.L * point.to_first_order();
   };
-  table.formula(
+  claim(
       "cone_equations", 2429,
       R"(The cone's equations are those of the point with the derivatives of $\frac12w\cdot Jw$ appended)",
-      samples,
       {.quantity = R"(Lagrange's equations, left sides less right sides, for $\theta$ and $\phi$, with )"
                    R"($K=L^2+I_{xx}/m$, $I_{xx}$ about the center of mass)",
        .truth =
@@ -851,17 +804,13 @@ Provables pendulum_proofs() {
   Claims claims("3.17");
   Table table(claims);
   for (auto* section : {geometry, forces, equations}) section(table, {});
-  const std::vector<std::string> names{"lambda", "L",  "omega", "g",  "m",  "theta", "phi", "v1", "v2", "a1",
-                                       "a2",     "r1", "r2",    "r3", "u1", "u2",    "u3",  "w1", "w2", "w3"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = "rewrite ?cos_0, ?sin_0; " + by_angles({"lambda", "theta", "phi"}) +
-                                 "; repeat split; first [ assumption | apply Rgt_not_eq; lra ]",
-                       .says = "it holds for every pendulum in any motion, but at its lowest point"};
-  all.given = {above(all.any.p.L.expression(), 0), above(all.any.m.expression(), 0),
-               not_zero(sin(all.any.q[1]).expression())};
+  auto all = for_all<SampleOf>("rewrite ?cos_0, ?sin_0; " + by_angles({"lambda", "theta", "phi"}) +
+                                   "; repeat split; first [ assumption | apply Rgt_not_eq; lra ]",
+                               "it holds for every pendulum in any motion, but at its lowest point");
+  all.given = positive({all.any.p.L, all.any.m});
+  all.given.push_back(not_zero(sin(all.any.q[1]).expression()));
   double x = 0;
-  for (double* letter : all.example.letters()) *letter = x += 0.125;
+  for (double* letter : letters_of(all.example)) *letter = x += 0.125;
   return table.proofs("3.17", all);
 }
 
@@ -878,25 +827,17 @@ Provables cone_proofs() {
   const std::string by_turns =
       by_angles({"lambda", "theta", "phi"}) +
       "; repeat split; first [ assumption | lra | apply PI_neq0 | apply Rgt_not_eq; nra ]";
-  ForAll<ConeSampleOf> all{.any = lettered<ConeSampleOf>(names),
-                           .letters = quantified(names),
-                           .tactic = "no_integrals; first [ by_cube_root | " + by_turns + " ]",
-                           .says = "it holds for every cone"};
-  ForAll<SwingingOf> swinging{.any = lettered<SwingingOf>(names),
-                              .letters = all.letters,
-                              .tactic = by_turns,
-                              .says = "it holds for every cone in any motion"};
-  all.given = swinging.given = {above(all.any.h().expression(), 0), above(all.any.r().expression(), 0)};
+  auto all = for_all<ConeSampleOf>(names, "no_integrals; first [ by_cube_root | " + by_turns + " ]",
+                                   "it holds for every cone");
+  auto swinging = for_all<SwingingOf>(names, by_turns, "it holds for every cone in any motion");
+  all.given = swinging.given = positive({all.any.h(), all.any.r()});
+  all.preamble = swinging.preamble = coq_source({"cone"});
+  all.bounds = swinging.bounds = "no_integrals; interval";
   double x = 0;
   for (double* letter : all.example.quantities()) *letter = x += 0.125;
   static_cast<ConeSample&>(swinging.example) = all.example;
   Provables proved = table.proofs("3.17", all);
-  std::ranges::move(of_swing.proofs("3.17", swinging), std::back_inserter(proved));
-  for (Provable& claim : proved) {
-    claim.preamble = coq_source({"cone"});
-    for (Lemma& lemma : claim.lemmas)
-      if (lemma.tactic == "interval") lemma.tactic = "no_integrals; interval";
-  }
+  append(proved, of_swing.proofs("3.17", swinging));
   return proved;
 }
 
