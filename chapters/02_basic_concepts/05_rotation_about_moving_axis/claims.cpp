@@ -99,21 +99,16 @@ struct AnyOf {
   Matrix<T> M;
   Vector<T> A, B, C;
 
-  std::array<T*, 18> letters() {
-    auto& m = M.e;
-    return {&m[0], &m[1], &m[2], &m[3], &m[4], &m[5], &m[6], &m[7], &m[8],
-            &A[0], &A[1], &A[2], &B[0], &B[1], &B[2], &C[0], &C[1], &C[2]};
+  Letters<T> table() {
+    return {{"M", M.e, {}, "m"},
+            {R"(\mathbf A)", A.e, {}, "a"},
+            {R"(\mathbf B)", B.e, {}, "b"},
+            {R"(\mathbf C)", C.e, {}, "c"}};
   }
   T volume() const { return dot(A, cross(B, C)); }
   TypesetIn<T> typeset() const {
     const auto [x, y, z] = cross(A, B).e;
-    return {{R"(\mathbf A)", A.e},
-            {R"(\mathbf B)", B.e},
-            {R"(\mathbf C)", C.e},
-            {"M", M.e},
-            {"x", x},
-            {"y", y},
-            {"z", z}};
+    return {{"x", x}, {"y", y}, {"z", z}};
   }
 };
 
@@ -190,28 +185,29 @@ Of route(const std::string& formula, const Size& size, const std::string& text =
 struct Tables {
   const Moments& moments;
   Claims claims{"2.5"};
-  Table any{claims}, unit_speed{claims};
-  ProvableClaims<AnyOf> vectors{claims};
+  Table any_axis{claims}, unit_speed{claims};
+  ProvableClaims<AnyOf> any_vectors{claims};
+
+  auto of_any() { return any_axis.over(moments.all); }
+  auto of_unit() { return unit_speed.over(moments.unit_speed); }
+  auto of_vectors() { return any_vectors.over(moments.vectors); }
 
   /// Claims the sides of $a=b$, or $a=b=c$, with terms of this size.
   void formula(std::string_view slug, int line, const std::string& text, const Size& size,
                const std::string& note = {}) {
     const auto [left, right] = sides(text);
-    any.formula(slug, line, text + note, moments.all,
-                {.truth = route(left, size), .printed = "$" + right + "$"});
+    of_any()(slug, line, text + note, route(left, size), "$" + right + "$");
   }
   /// Claims an equation of any axis.
   void equation(std::string_view slug, int line, const std::string& text, const std::string& says = {}) {
-    any.formula(slug, line, says.empty() ? text : says, moments.all, of_equation(text));
+    of_any()(slug, line, says.empty() ? text : says, of_equation(text));
   }
   /// Claims an equation that needs |D'| = 1.
   void where_unit(std::string_view slug, int line, const std::string& text, const std::string& says = {},
                   const std::vector<Of>& near_misses = {}) {
     auto claim = of_equation(text);
     claim.near_misses = near_misses;
-    unit_speed.formula(slug, line,
-                       (says.empty() ? text : says) + R"( (our condition: $|\dot{\mathbf D}|=1$))",
-                       moments.unit_speed, claim);
+    of_unit()(slug, line, (says.empty() ? text : says) + R"( (our condition: $|\dot{\mathbf D}|=1$))", claim);
   }
 
  private:
@@ -230,54 +226,48 @@ struct Tables {
 };
 
 void rotation_and_derivative(Tables& tables) {
-  const auto& moments = tables.moments;
-  tables.any.formula("skew_of_w", 317, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", moments.all,
-                     {.truth = route(R"(\mathrm{Skew}(\mathbf w))", rates,
-                                     R"($\mathrm{Skew}(\mathbf w)$, $\mathbf w=2\dot qq^*$ in dual numbers, )"
-                                     R"($q$ the quaternion of $R$)"),
-                      .printed = R"($\dot RR^T$)",
-                      .near_misses = {R"($R^T\dot R$)"}});
+  const auto claim = tables.of_any();
+  claim("skew_of_w", 317, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)",
+        {.truth = route(R"(\mathrm{Skew}(\mathbf w))", rates,
+                        R"($\mathrm{Skew}(\mathbf w)$, $\mathbf w=2\dot qq^*$ in dual numbers, )"
+                        R"($q$ the quaternion of $R$)"),
+         .printed = R"($\dot RR^T$)",
+         .near_misses = {R"($R^T\dot R$)"}});
   tables.formula("rotation_matrix", 319, R"($R=I+\sigma S+(1-\gamma)S^2$)", turn);
   tables.formula("transpose", 319, R"($R^T=I-\sigma S+(1-\gamma)S^2$)", turn);
-  tables.claims.formula<Differenced>(
-      "derivative_of_s", 321, R"($\dot S=\mathrm{Skew}(\dot{\mathbf D})$)", moments.differenced,
-      {.quantity = R"($\dot S$)",
-       .truth = {R"(differences of $\mathrm{Skew}(\mathbf D(t))$, extrapolated)",
-                 [](const auto& m) { return m.S_slope.value; }},
-       .printed = {R"($\mathrm{Skew}(\dot{\mathbf D})$)"}});
+  tables.claims.over(tables.moments.differenced)(
+      "derivative_of_s", 321, R"($\dot S=\mathrm{Skew}(\dot{\mathbf D})$)",
+      {R"(differences of $\mathrm{Skew}(\mathbf D(t))$, extrapolated)",
+       [](const auto& m) { return m.S_slope.value; }},
+      {R"($\mathrm{Skew}(\dot{\mathbf D})$)"}, R"($\dot S$)");
   tables.formula(
       "derivative_of_r", 323,
       R"($\dot R=\sigma\dot S+\dot\theta\gamma S+(1-\gamma)(S\dot S+\dot SS)+\dot\theta\sigma S^2$)", rates);
-  tables.any.formula("no_power_rule", 325,
-                     R"($\frac{d}{dt}S^2$ is not generally $2S\dot S$ (our check: it is $S\dot S+\dot SS$).)",
-                     moments.all,
-                     {.quantity = R"($\frac{d}{dt}S^2$)",
-                      .truth = {"dual numbers", [](const auto& m) { return m.S2_dot; }, rates},
-                      .printed = R"($S\dot S+\dot SS$)",
-                      .near_misses = {R"($2S\dot S$)"}});
+  claim("no_power_rule", 325,
+        R"($\frac{d}{dt}S^2$ is not generally $2S\dot S$ (our check: it is $S\dot S+\dot SS$).)",
+        {.quantity = R"($\frac{d}{dt}S^2$)",
+         .truth = {"dual numbers", [](const auto& m) { return m.S2_dot; }, rates},
+         .printed = R"($S\dot S+\dot SS$)",
+         .near_misses = {R"($2S\dot S$)"}});
 }
 
 void matrices_by_images(Tables& tables) {
   const auto& moments = tables.moments;
-  tables.vectors.formula(
+  tables.of_vectors()(
       "determined_by_images", 327,
       "An invertible matrix is determined by the images of three linearly independent vectors.",
-      moments.vectors,
-      {.quantity = "$M$",
-       .truth = {"the matrix itself", [](const auto& any) { return any.M; }},
-       .printed = R"($\frac{M\mathbf A(\mathbf B\times\mathbf C)^T+M\mathbf B(\mathbf C\times\mathbf A)^T)"
-                  R"(+M\mathbf C(\mathbf A\times\mathbf B)^T}{\mathbf A\cdot\mathbf B\times\mathbf C}$)"});
-  tables.unit_speed.formula(
-      "frame_is_a_rotation", 331,
-      R"(Where $|\dot{\mathbf D}|=1$, $U$ is a rotation matrix: its inverse is its transpose.)",
-      moments.unit_speed,
-      {.quantity = R"($U^TU$, $\det U$)",
-       .truth = route(
-           "(I,1)", [](const Moment&) { return 4; }, "a rotation"),
-       .printed = R"($(U^TU,\ \mathbf U_1\cdot\mathbf U_2\times\mathbf U_3)$)"});
-  tables.unit_speed.formula(
-      "matrix_from_images", 333, R"($M=AU^T$ where $|\dot{\mathbf D}|=1$)", moments.unit_speed,
-      {.quantity = "$M$", .truth = route("M", {}, "the matrix itself"), .printed = "$AU^T$"});
+      {"the matrix itself", [](const auto& any) { return any.M; }},
+      R"($\frac{M\mathbf A(\mathbf B\times\mathbf C)^T+M\mathbf B(\mathbf C\times\mathbf A)^T)"
+      R"(+M\mathbf C(\mathbf A\times\mathbf B)^T}{\mathbf A\cdot\mathbf B\times\mathbf C}$)",
+      "$M$");
+  const auto where_unit = tables.of_unit();
+  where_unit("frame_is_a_rotation", 331,
+             R"(Where $|\dot{\mathbf D}|=1$, $U$ is a rotation matrix: its inverse is its transpose.)",
+             route(
+                 "(I,1)", [](const Moment&) { return 4; }, "a rotation"),
+             R"($(U^TU,\ \mathbf U_1\cdot\mathbf U_2\times\mathbf U_3)$)", R"($U^TU$, $\det U$)");
+  where_unit("matrix_from_images", 333, R"($M=AU^T$ where $|\dot{\mathbf D}|=1$)",
+             route("M", {}, "the matrix itself"), "$AU^T$", "$M$");
   const auto determinants = [&](const std::string& text, double unit) {
     WorstSample worst(text, "the determinant", "0");
     for (const Moment& m : moments.all)
@@ -317,11 +307,10 @@ void matrices_by_images(Tables& tables) {
        .in_view = {R"(for an invertible matrix, such as $\dot RR^T+I$)",
                    {regular(R"($\dot RR^T+I$)", 1, 0.5), from_images(R"(\dot RR^T+I)")}},
        .near_misses = {{R"(so is $\dot RR^T+I$)", {determinants(R"($\det(\dot RR^T+I)$)", 1)}}},
-       .why = R"(The rule is right for the matrices that it speaks of, and leaves out the one that it )"
-              R"(is needed for. A skew $3\times3$ matrix $K$ has $\det K=\det K^T=-\det K$, which is )"
-              R"(0. The eigenvalues of $\dot RR^T$ are $0,\pm i|\mathbf w|$ at every moment. The )"
-              R"(conclusion is right: $M=AU^T$ follows from $MU=A$ for every $M$; it is $U$ that has )"
-              R"(to be invertible.)",
+       .why = R"(The rule is right for the matrices that it speaks of, and leaves out the one that it is )"
+              R"(needed for. A skew $3\times3$ matrix $K$ has $\det K=\det K^T=-\det K$, which is 0. The )"
+              R"(eigenvalues of $\dot RR^T$ are $0,\pm i|\mathbf w|$ at every moment. The conclusion is )"
+              R"(right: $M=AU^T$ follows from $MU=A$ for every $M$; it is $U$ that has to be invertible.)",
        .root = "a singular matrix"});
 }
 
@@ -337,11 +326,10 @@ Matrix3 orthonormal(const Matrix3& m) {
 }
 
 void frame(Tables& tables) {
-  tables.claims.formula<Moment>(
+  tables.claims.over(tables.moments.any)(
       "orthonormal_frame", 337,
       R"($\mathbf U_1=\mathbf D$, $\mathbf U_2=\dot{\mathbf D}$ and $\mathbf U_3=\mathbf D\times\dot{\mathbf D}$ )"
       R"(are unit vectors at right angles.)",
-      tables.moments.any,
       {.quantity = "$U$",
        .truth = {"its columns made orthonormal by Gram and Schmidt",
                  [](const Moment& m) { return orthonormal(m.U); }},
@@ -374,14 +362,11 @@ void frame(Tables& tables) {
 
 void images_of_the_frame(Tables& tables) {
   const Size of_frame = &Moment::size;
-  tables.any.formula(
-      "rt_u1", 349,
-      R"($R^T\mathbf U_1=\mathbf U_1-\sigma S\mathbf U_1+(1-\gamma)S^2\mathbf U_1=\mathbf U_1$)",
-      tables.moments.all,
-      {.quantity = R"($R^T\mathbf U_1$)",
-       .truth = route(R"((R^T\mathbf U_1,R^T\mathbf U_1))", of_frame),
-       .printed = R"($(\mathbf U_1-\sigma S\mathbf U_1+(1-\gamma)S(S\mathbf U_1),\ \mathbf U_1)$)",
-       .changes_that_hold = R"($S\mathbf U_1=0$)"});
+  tables.of_any()("rt_u1", 349,
+                  R"($R^T\mathbf U_1=\mathbf U_1-\sigma S\mathbf U_1+(1-\gamma)S^2\mathbf U_1=\mathbf U_1$)",
+                  route(R"((R^T\mathbf U_1,R^T\mathbf U_1))", of_frame),
+                  R"($(\mathbf U_1-\sigma S\mathbf U_1+(1-\gamma)S(S\mathbf U_1),\ \mathbf U_1)$)",
+                  R"($R^T\mathbf U_1$)", R"($S\mathbf U_1=0$)");
   tables.formula(
       "rt_u2", 351,
       R"($R^T\mathbf U_2=\mathbf U_2-\sigma\mathbf U_3-(1-\gamma)\mathbf U_2=\gamma\mathbf U_2-\sigma\mathbf U_3$)",
@@ -422,34 +407,29 @@ void skew_matrices(Tables& tables) {
                     R"(+\sigma\,\mathrm{Skew}(\mathbf U_3\times\mathbf U_1))"
                     R"(+(1-\gamma)\,\mathrm{Skew}(\mathbf U_1\times\mathbf U_2)$)");
   const std::string outer_products = R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T$)";
-  tables.vectors.formula(
+  const auto of_vectors = tables.of_vectors();
+  of_vectors(
       "skew_entries", 453,
       outer_products + R"( has the entries of $\mathbf A\times\mathbf B$, in the places of a skew matrix.)",
-      tables.moments.vectors,
-      {.quantity = outer_products + R"(; $(x,y,z)=\mathbf A\times\mathbf B$)",
-       .truth = {"outer products", [](const auto& any) { return outer(any.B, any.A) - outer(any.A, any.B); }},
-       .printed = R"($\begin{pmatrix}0&-z&y\\z&0&-x\\-y&x&0\end{pmatrix}$)"});
-  tables.vectors.formula(
-      "skew_identity", 459,
-      R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T=\mathrm{Skew}(\mathbf A\times\mathbf B)$)",
-      tables.moments.vectors,
-      {.quantity = outer_products,
-       .truth = {R"($\mathrm{Skew}(\mathbf A\times\mathbf B)$)",
-                 [](const auto& any) { return skew(cross(any.A, any.B)); }},
-       .printed = outer_products});
-  tables.vectors.formula(
+      {"outer products", [](const auto& any) { return outer(any.B, any.A) - outer(any.A, any.B); }},
+      R"($\begin{pmatrix}0&-z&y\\z&0&-x\\-y&x&0\end{pmatrix}$)",
+      outer_products + R"(; $(x,y,z)=\mathbf A\times\mathbf B$)");
+  of_vectors("skew_identity", 459,
+             R"($\mathbf B\mathbf A^T-\mathbf A\mathbf B^T=\mathrm{Skew}(\mathbf A\times\mathbf B)$)",
+             {R"($\mathrm{Skew}(\mathbf A\times\mathbf B)$)",
+              [](const auto& any) { return skew(cross(any.A, any.B)); }},
+             outer_products, outer_products);
+  of_vectors(
       "skew_is_one_to_one", 473,
       R"($\mathrm{Skew}(\mathbf A)=\mathrm{Skew}(\mathbf B)$ implies $\mathbf A=\mathbf B$: the squares )"
       R"(of the entries' differences add up to $2|\mathbf A-\mathbf B|^2$)",
-      tables.moments.vectors,
-      {.quantity = R"($2|\mathbf A-\mathbf B|^2$)",
-       .truth = {R"(squared entries of $\mathrm{Skew}(\mathbf A)-\mathrm{Skew}(\mathbf B)$)",
-                 [](const auto& any) {
-                   auto squares = 0.0 * any.A[0];
-                   for (const auto& entry : skew(any.A) - skew(any.B)) squares += entry * entry;
-                   return squares;
-                 }},
-       .printed = R"($2(\mathbf A-\mathbf B)\cdot(\mathbf A-\mathbf B)$)"});
+      {R"(squared entries of $\mathrm{Skew}(\mathbf A)-\mathrm{Skew}(\mathbf B)$)",
+       [](const auto& any) {
+         auto squares = 0.0 * any.A[0];
+         for (const auto& entry : skew(any.A) - skew(any.B)) squares += entry * entry;
+         return squares;
+       }},
+      R"($2(\mathbf A-\mathbf B)\cdot(\mathbf A-\mathbf B)$)", R"($2|\mathbf A-\mathbf B|^2$)");
 }
 
 void angular_velocities(Tables& tables) {
@@ -471,17 +451,6 @@ void state(Tables& tables) {
                         skew_matrices, angular_velocities})
     section(tables);
 }
-
-/// H and H0 are the assumptions.
-constexpr const char* by_halves = R"(
-  destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine;
-  pose proof (axis_squared _ _ _ H) as a; pose proof (axis_by_rate _ _ _ _ _ _ H0) as b;
-  pose proof (axis_twice _ _ _ _ _ _ H H0) as c; field [circle a b c])";
-constexpr const char* by_halves_and_rate = R"(
-  destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine; clear sine cosine;
-  pose proof (axis_squared _ _ _ H) as a; pose proof (axis_by_rate _ _ _ _ _ _ H0) as b;
-  field_simplify_eq [circle a b]; try ring; clear a b circle;
-  generalize (cos (5 / 10 * theta)) (sin (5 / 10 * theta)); intros; products; nsatz)";
 
 std::vector<Shortened> letters(const std::vector<std::string>& names) {
   std::vector<Shortened> all;
@@ -525,18 +494,10 @@ Provable orthonormal_frame(const MomentOf<Shortened>& any, ForAll<MomentOf> all)
   const Vector<Shortened> rate = slope_of(any.axis);
   all.given.push_back(above(dot(rate, rate).expression(), 0));
   const MomentOf<Shortened> example({{{{1.0, 0.0}, {0.0, 2.0}, {}}}}, {1.0, 1.0}, {});
-  const std::string root = any.lambda.expression().coq(), square = root.substr(root.find('('));
   return {"2.5-orthonormal_frame",
           "as corrected it holds wherever the axis moves; as printed it is off where it moves at the speed 2",
           {{"corrected", all.letters, all.given,
-            equal(gram(corrected_frame, any), detail::recorded_value(identity<Shortened>())),
-            "pose proof (sqrt_lt_R0 _ H1) as far;\n  assert (long : " + root + " * " + root + " = " + square +
-                ") by (apply sqrt_sqrt; lra);\n  set (r := " + root +
-                ") in *; clearbody r;\n"
-                "  assert (unit : / r * / r * " +
-                square +
-                " = 1) by (rewrite <- long; field; lra);\n"
-                "  unfold Rdiv; set (q := / r) in *; clearbody q; clear far long H1; nsatz"},
+            equal(gram(corrected_frame, any), detail::recorded_value(identity<Shortened>())), "by_length H1"},
            {"printed_differs", "", {}, {apart(gram(printed_frame, example).at(4), 1.0, 2.9)}, by_arithmetic}},
           2.9};
 }
@@ -561,39 +522,30 @@ Provables proofs() {
   ForAll<MomentOf> all{.any = any,
                        .letters = quantified(names),
                        .given = {dot(axis, axis).expression() == 1, dot(axis, rate).expression() == 0},
-                       .tactic = by_halves,
+                       .tactic = "by_halves theta H H0",
                        .says = "it holds at any moment of any turning about a moving axis"};
-  Provables proved = tables.any.proofs("2.5", all);
+  Provables proved = tables.any_axis.proofs("2.5", all);
   proved.push_back(orthonormal_frame(any, all));
   Lemma singular{
-      "corrected_determinant", all.letters, all.given, {determinant(any.W()).expression() == 0}, by_halves};
+      "corrected_determinant", all.letters, all.given, {determinant(any.W()).expression() == 0}, all.tactic};
   all.given.push_back(dot(rate, rate).expression() == 1);
-  all.tactic = by_halves_and_rate;
+  all.tactic = "by_halves_and_rate theta H H0";
   all.says = "it holds at any moment at which the axis moves at the speed 1";
-  std::ranges::move(tables.unit_speed.proofs("2.5", all), std::back_inserter(proved));
+  append(proved, tables.unit_speed.proofs("2.5", all));
   proved.push_back(
       {"2.5-applied_to_singular",
-       "its determinant is zero, and it is its images', as any matrix is, where the axis moves "
-       "at the speed 1",
+       "its determinant is zero, and it is its images', as any matrix is, where the axis moves at the speed 1",
        {singular,
         {"corrected_images", all.letters, all.given,
-         equal(recorded_text("$AU^T$", any.typeset()), detail::recorded_value(any.M)), by_halves_and_rate}}});
+         equal(recorded_text("$AU^T$", any.typeset()), detail::recorded_value(any.M)), all.tactic}}});
   for (Provable& p : proved) p.preamble = coq_source({"turnings"});
 
-  const std::vector<std::string> any_names{"m0", "m1", "m2", "m3", "m4", "m5", "m6", "m7", "m8",
-                                           "a0", "a1", "a2", "b0", "b1", "b2", "c0", "c1", "c2"};
-  const auto some = lettered<AnyOf>(any_names);
-  for (Provable& p : tables.vectors.proofs("2.5", {.any = some,
-                                                  .letters = quantified(any_names),
-                                                  .tactic = "field",
-                                                  .says = "it holds of any matrix and any vectors"})) {
-    if (p.claim == "2.5-determined_by_images") {
-      p.says = "it holds of any matrix and any three independent vectors";
-      p.lemmas[0].given = {not_zero(some.volume().expression())};
-      p.lemmas[0].tactic = "field; exact H";
-    }
-    proved.push_back(std::move(p));
-  }
+  const auto vectors = for_all<AnyOf>("field", "it holds of any matrix and any vectors");
+  append(proved, tables.any_vectors.proofs("2.5", vectors));
+  Provable& images = proof_of(proved, "2.5-determined_by_images");
+  images.says = "it holds of any matrix and any three independent vectors";
+  images.lemmas[0].given = {not_zero(vectors.any.volume().expression())};
+  images.lemmas[0].tactic = "field; exact H";
   proved.push_back(derivative_of_s());
   return proved;
 }

@@ -33,3 +33,24 @@ Ltac products :=
          | |- context [?x ^ 3] => replace (x ^ 3) with (x * x * x) by ring
          | |- context [?x ^ 4] => replace (x ^ 4) with (x * x * x * x) by ring
          end.
+
+(* `one`: the axis has length one; `across`: it is perpendicular to its rate. *)
+Ltac by_halves theta one across :=
+  destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine;
+  pose proof (axis_squared _ _ _ one) as a; pose proof (axis_by_rate _ _ _ _ _ _ across) as b;
+  pose proof (axis_twice _ _ _ _ _ _ one across) as c; field [circle a b c].
+Ltac by_halves_and_rate theta one across :=
+  destruct (halves theta) as (sine & cosine & circle); rewrite ?sine, ?cosine; clear sine cosine;
+  pose proof (axis_squared _ _ _ one) as a; pose proof (axis_by_rate _ _ _ _ _ _ across) as b;
+  field_simplify_eq [circle a b]; try ring; clear a b circle;
+  generalize (cos (5 / 10 * theta)) (sin (5 / 10 * theta)); intros; products; nsatz.
+
+(* `moves`: the rate is not zero. *)
+Ltac by_length moves :=
+  match type of moves with ?square > 0 =>
+    pose proof (sqrt_lt_R0 _ moves) as far;
+    assert (long : sqrt square * sqrt square = square) by (apply sqrt_sqrt; lra);
+    set (r := sqrt square) in *; clearbody r;
+    assert (unit : / r * / r * square = 1) by (rewrite <- long; field; lra);
+    unfold Rdiv; set (q := / r) in *; clearbody q; clear far long moves; nsatz
+  end.
