@@ -27,12 +27,10 @@ using Samples = std::vector<Sample>;
 /// The derivative of the points' kinetic energy by an angle or by its rate.
 Reader slope_of_T(std::size_t k, bool rate) {
   return {"the points' $T$, by dual numbers", [=](const auto& s) {
-            return by_angle(
-                s, k,
-                [&](const auto& q, const auto& v) {
-                  return s.body.kinetic(q, v, std::remove_cvref_t<decltype(q[0])>(s.t));
-                },
-                rate);
+            const auto T = [&](const auto& q, const auto& v) {
+              return s.body.kinetic(q, v, std::remove_cvref_t<decltype(q[0])>(s.t));
+            };
+            return by_angle(s, k, T, rate);
           }};
 }
 
@@ -211,31 +209,28 @@ void claim_forces(Table& table, const Samples& tops) {
   claim.equation("dr_dphi", 3043,
                  R"($\partial\mathbf r/\partial\phi=\ell(\sin\theta\cos\phi,-\cos\theta\cos\phi,-\sin\phi)$)",
                  arm(1));
-  const auto generalized = [&](std::string_view slug, int line, std::size_t k, const std::string& angle,
-                               const std::string& is, const std::string& holding = {}) {
-    const std::string left = "F_" + angle;
-    claim(slug, line, math(left + "=" + is),
+  const auto no_force = [&](std::string_view slug, int line, std::size_t k, const std::string& angle,
+                            const std::string& holding = {}) {
+    const std::string force_of = "F_" + angle;
+    claim(slug, line, math(force_of + "=0"),
           {.quantity = "the generalized force of " + math(angle),
            .truth = force(k),
-           .printed = math(left + "=" + is),
-           .near_misses =
-               is == "0" ? std::vector<Reader>{math(left + R"(=mg\ell\sin\phi)")} : std::vector<Reader>{},
+           .printed = math(force_of + "=0"),
+           .near_misses = {math(force_of + R"(=mg\ell\sin\phi)")},
            .changes_that_hold = holding});
   };
-  generalized("force_theta", 3039, 0, R"(\theta)", "0");
-  generalized("force_phi", 3045, 1, R"(\phi)", R"(mg\ell\sin\phi)");
-  generalized("force_psi", 3051, 2, R"(\psi)", "0", of_zero);
-  const auto arm_is_zero = [](const std::string& angle) {
-    return R"($\partial\mathbf r/\partial)" + angle + "=(0,0,0)$";
-  };
+  no_force("force_theta", 3039, 0, R"(\theta)");
+  claim("force_phi", 3045, R"($F_\phi=mg\ell\sin\phi$)", force(1), R"($F_\phi=mg\ell\sin\phi$)",
+        R"(the generalized force of $\phi$)");
+  no_force("force_psi", 3051, 2, R"(\psi)", of_zero);
   claim(
       "dr_dpsi", 3049,
       R"(all components of $\partial\mathbf r/\partial\psi$ are zero (printed: $\partial\mathbf r/\partial\theta$))",
       {.quantity = R"($\partial\mathbf r/\partial\psi$)",
        .truth = none,
-       .printed = arm_is_zero(R"(\theta)"),
-       .meant = arm_is_zero(R"(\psi)"),
-       .near_misses = {arm_is_zero(R"(\phi)")},
+       .printed = R"($\partial\mathbf r/\partial\theta=(0,0,0)$)",
+       .meant = R"($\partial\mathbf r/\partial\psi=(0,0,0)$)",
+       .near_misses = {R"($\partial\mathbf r/\partial\phi=(0,0,0)$)"},
        .changes_that_hold = of_zero,
        .kind = Fault::formula,
        .why = R"(Printed is $\partial\mathbf r/\partial\theta$ again, which has just been given and is not )"
@@ -345,8 +340,6 @@ void claim_motion(Table& table, const Samples& tops) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-const std::string any_top_of_rings = "it holds of any top of rings of points";
-
 Sample example() {
   Sample s = four_points(10, 0, 0);
   s.v = {1, 2, 3};
@@ -360,7 +353,7 @@ ForAll<SampleOf> all_tops() {
           .letters = letters,
           .given = given,
           .tactic = by_points({"theta", "phi", "psi"}),
-          .says = any_top_of_rings,
+          .says = "it holds of any top of rings of points",
           .example = example(),
           .preamble = coq_source({"tops"})};
 }
@@ -383,21 +376,6 @@ void follow_from_equations(Provable& p, const SampleOf<Shortened>& any) {
   p.says = "it follows from Lagrange's equations of any top of rings of points";
 }
 
-/// The recorded potential does not contain theta.
-Provable no_force_of_theta(const ForAll<SampleOf>& all) {
-  const Shortened V = all.any.body.potential(all.any.q, all.any.t);
-  const Expression force = Expression::letter("(- Derive (fun theta => " + V.expression().coq() + ") theta)");
-  return {"3.33-force_theta",
-          "minus the derivative of the potential of any top of rings of points is zero",
-          {{"printed", all.letters, all.given, {force == 0}, "rewrite Derive_const; ring"}}};
-}
-Provable vertical_constant(const ForAll<SampleOf>& all) {
-  return {"3.33-vertical_constant",
-          any_top_of_rings,
-          {{"printed", all.letters, all.given,
-            equal(Reader(vertical).recorded(all.any), zero.recorded(all.any)), all.tactic}}};
-}
-
 }  // namespace
 
 Provables proofs() {
@@ -406,8 +384,16 @@ Provables proofs() {
   for (auto* part : {claim_energy, claim_derivatives, claim_forces, claim_motion}) part(table, {});
   const ForAll<SampleOf> all = all_tops();
   Provables proved = table.proofs("3.33", all);
-  proved.push_back(no_force_of_theta(all));
-  proved.push_back(vertical_constant(all));
+  // The recorded potential does not contain theta.
+  const std::string V = all.any.body.potential(all.any.q, all.any.t).expression().coq();
+  const Expression force = Expression::letter("(- Derive (fun theta => " + V + ") theta)");
+  proved.push_back({"3.33-force_theta",
+                    "minus the derivative of the potential of any top of rings of points is zero",
+                    {{"printed", all.letters, all.given, {force == 0}, "rewrite Derive_const; ring"}}});
+  proved.push_back({"3.33-vertical_constant",
+                    all.says,
+                    {{"printed", all.letters, all.given,
+                      equal(Reader(vertical).recorded(all.any), zero.recorded(all.any)), all.tactic}}});
   for (Provable& p : proved) {
     if (from_equations.contains(p.claim)) follow_from_equations(p, all.any);
     p.preamble = coq_source({"tops"});
