@@ -94,7 +94,6 @@ SampleOf<T> with_fixed_tip(SampleOf<T> s) {
 
 /// With the letters of this exercise, where the shared ones have 3.33's alpha.
 struct Driven : Sample {
-  explicit Driven(const Sample& s) : Sample(s) {}
   TypesetLetters typeset() const {
     return {{"m", m},
             {R"(\ell)", l},
@@ -179,12 +178,6 @@ Vector<T> accelerations_from_rest(const SampleOf<T>& s) {
           -turning * cos(s.q[1])};
 }
 
-Sample example() {
-  Sample s = four_points(3, 2, 3);
-  s.t = 1, s.truth = accelerations_from_rest(s);
-  return s;
-}
-
 const std::vector<std::string> all_angles{"theta", "phi", "psi", "lambda * t"};
 /// Factors of Lagrange's equations of theta, phi and psi.
 using Factors = std::array<std::string, 3>;
@@ -214,21 +207,16 @@ struct MovingTip {
   }
   /// Lemmas at the example, whose accelerations satisfy Lagrange's equations.
   std::vector<Lemma> off(const Reader& printed, const Reader& truth, double& margin) const {
-    const Sample numbers = example();
+    Sample numbers = four_points(3, 2, 3);
+    numbers.t = 1, numbers.truth = accelerations_from_rest(numbers);
     SampleOf<Shortened> s = numbers.recorded();
     s.truth = accelerations_from_rest(s);
     Value difference = printed.of(numbers);
     const Value right = truth.of(numbers);
     for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= right[k];
-    std::vector<Proposition> moves;
-    for (const Shortened& left : s.left_side(s.truth, true)) moves.push_back(left.expression() == 0);
-    return {
-        {"example",
-         "",
-         {},
-         moves,
-         "assert (sin 1 <> 0) by interval; field [(circle (5 / 10)) (circle 1) (circle (25 / 100))]; trivial"},
-        off_at(printed.recorded(s), truth.recorded(s), difference, margin)};
+    Lemma moves{.name = "example", .tactic = "at_example"};
+    for (const Shortened& left : s.left_side(s.truth, true)) moves.follows.push_back(left.expression() == 0);
+    return {moves, off_at(printed.recorded(s), truth.recorded(s), difference, margin)};
   }
   /// For a vector that contains the model's Euler equations: replaces them by those of euler_by_matrix().
   std::string by_matrix() const {
@@ -291,11 +279,10 @@ std::vector<Claim> claims(double seed, const Top& top, const Deviation& off) {
             [=](const Sample& s) { return sign * (torque_of_tip(s) - torque_of_tip(with_fixed_tip(s))); },
             &Sample::size};
   };
-  claims.formula<Sample>(
+  claims.over(tops)(
       "force_at_center", 3089,
       "the tip moves about the plane only because some force is applied to the center of mass (our "
       "reading: the force moving the tip adds no torque about this center)",
-      tops,
       {.quantity =
            "rate of the angular momentum about the center of mass due to the force that moves the tip",
        .truth = added,

@@ -14,3 +14,7 @@ Ltac by_half_angles theta phi psi :=
   clearbody u; clearbody s; clearbody d; rewrite ?p, ?t, ?q;
   rewrite ?cos_plus, ?sin_plus, ?cos_minus, ?sin_minus, ?cos_2a, ?sin_2a;
   field [(circle u) (circle s) (circle d)]; positive.
+
+(* Where the angles are 1/2, 1 and 1/4. *)
+Ltac at_example :=
+  assert (sin 1 <> 0) by interval; field [(circle (5 / 10)) (circle 1) (circle (25 / 100))]; trivial.
