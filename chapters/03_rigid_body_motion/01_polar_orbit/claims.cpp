@@ -36,11 +36,7 @@ struct PointOf : EllipseOf<T> {
             {R"(\pm)", s}};
   }
   std::string where() const {
-    return "$e$ = " + format_shortest(e) + R"(, $\rho$ = )" + format_shortest(rho) +
-           ", $x$ = " + format_shortest(x) + ", $y$ = " + format_shortest(y) +
-           (s > 0   ? ", on the orbit"
-            : s < 0 ? ", on its mirror image"
-                    : "");
+    return listed(typeset(), 5) + (s > 0 ? ", on the orbit" : s < 0 ? ", on its mirror image" : "");
   }
 
   T nearest() const { return e * rho / (1 + e); }
@@ -92,24 +88,20 @@ const Line zero{"zero", []<class T>(const PointOf<T>&) { return T(0); }};
 struct Curve : ProvableClaims<PointOf> {
   std::vector<Point> points;
 
-  void claim(const std::string& slug, int line, std::string says, const ProvableClaim<PointOf>& c) {
-    formula(slug, line, std::move(says), points, c);
-  }
+  explicit Curve(Claims& claims, std::vector<Point> on = {})
+      : ProvableClaims(claims), points(std::move(on)) {}
+  auto over_points() { return over(points); }
   /// Claims a line of the page at points from the polar equation: two sides are equal, or the first equals
   /// each of several. `first` is an independent route to the first side.
-  void equation(const std::string& slug, int line, const std::string& before,
-                const std::vector<std::string>& sides, const std::string& after = {}, Line first = {}) {
-    const bool two = sides.size() == 2;
-    std::string whole = sides[0], others;
-    for (std::size_t i = 1; i < sides.size(); ++i) {
-      whole += "=" + sides[i];
-      others += (i == 1 ? "" : R"(,\ )") + sides[i];
-    }
-    whole = "$" + whole + "$";
-    const std::string left = "$" + sides[0] + "$";
-    if (first.text.empty()) first = two ? zero : Line(left);
-    claim(slug, line, before + whole + after,
-          {.quantity = two ? "" : left, .truth = first, .printed = two ? whole : "$(" + others + ")$"});
+  void equation(std::string_view slug, int line, const std::string& before, const std::string& text,
+                const std::string& after = {}, const Line& first = {}) {
+    const auto [left, right] = sides_of_equation(text);
+    const bool two = formula::sides_of(text.substr(1, text.size() - 2)).sides.size() == 2;
+    over_points()(slug, line, before + text + after,
+                  !first.text.empty() ? first
+                  : two               ? zero
+                                      : Line(left),
+                  two ? text : right, two ? "" : left);
   }
 };
 
@@ -119,25 +111,25 @@ struct Curves {
   Curve orbit, both, anywhere, top, zeros;
 
   explicit Curves(double seed)
-      : orbit{ProvableClaims<PointOf>(claims), points(seed, {1})},
-        both{ProvableClaims<PointOf>(claims), points(seed, {1, -1, -1})},
-        anywhere{ProvableClaims<PointOf>(claims), points(seed, {0})},
-        top{ProvableClaims<PointOf>(claims), orbit.points},
-        zeros{ProvableClaims<PointOf>(unused), {}} {
-    std::ranges::copy(both.points, std::back_inserter(anywhere.points));
+      : orbit(claims, points(seed, {1})),
+        both(claims, points(seed, {1, -1, -1})),
+        anywhere(claims, points(seed, {0})),
+        top(claims, orbit.points),
+        zeros(unused) {
+    anywhere.points.insert(anywhere.points.end(), both.points.begin(), both.points.end());
   }
 };
 
 void to_the_second_squaring(Curves& t) {
   t.orbit.equation("multiplied", 857, R"(Multiplied by its denominator, with $x=r\cos\theta$: )",
-                   {R"(e\rho)", R"(r(1+e\cos\theta))", "r+ex"});
-  t.orbit.equation("squared", 861, "Squared: ", {R"(e^2\rho^2)", "r^2+2exr+e^2x^2"});
-  t.orbit.equation("solved", 863, "Solved for the middle term: ", {"2exr", R"(e^2(\rho^2-x^2)-r^2)"});
-  t.orbit.equation("distance", 865, "", {"r", R"(\sqrt{x^2+y^2})"}, "",
+                   R"($e\rho=r(1+e\cos\theta)=r+ex$)");
+  t.orbit.equation("squared", 861, "Squared: ", R"($e^2\rho^2=r^2+2exr+e^2x^2$)");
+  t.orbit.equation("solved", 863, "Solved for the middle term: ", R"($2exr=e^2(\rho^2-x^2)-r^2$)");
+  t.orbit.equation("distance", 865, "", R"($r=\sqrt{x^2+y^2}$)", "",
                    {"$r$ by the polar equation", [](const auto& p) { return p.r; }});
   t.both.equation(
       "squared_again", 869, "Squared again: ",
-      {"4e^2x^2r^2", R"([e^2(\rho^2-x^2)-r^2]^2)", R"([e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2)"}, "",
+      R"($4e^2x^2r^2=[e^2(\rho^2-x^2)-r^2]^2=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2-x^2)r^2$)", "",
       {"$4e^2x^2r^2$ at the point", [](const auto& p) { return 4 * pow(p.e * p.x * p.r, 2); },
        [](const Point& p) { return pow(p.e * p.e * (p.rho * p.rho - p.x * p.x), 2) + pow(p.r, 4); }});
 }
@@ -145,11 +137,10 @@ void to_the_second_squaring(Curves& t) {
 /// Lines that rewrite the one before: everywhere they are one product, which is zero on both curves.
 void rewritten(Curves& t) {
   const Line both_curves = R"($(e^2\rho^2-(r+ex)^2)(e^2\rho^2-(r-ex)^2)$)";
-  const auto line = [&](const std::string& slug, int number, const std::string& before,
+  const auto line = [&](std::string_view slug, int number, const std::string& before,
                         const std::string& text) {
-    t.anywhere.claim(slug, number, before + text,
-                     {.quantity = "the line, zero on both curves", .truth = both_curves, .printed = text});
-    t.zeros.claim(slug, number, text, {.truth = zero, .printed = text});
+    t.anywhere.over_points()(slug, number, before + text, both_curves, text, "the line, zero on both curves");
+    t.zeros.over_points()(slug, number, text, zero, text);
   };
   line("subtracted", 873, "$4e^2x^2r^2$ subtracted: ", R"($0=[e^2(\rho^2-x^2)]^2+r^4-2e^2(\rho^2+x^2)r^2$)");
   line("regrouped", 875, "", R"($0=[e^2(\rho^2+x^2)-2e^2x^2]^2+r^4-2e^2(\rho^2+x^2)r^2$)");
@@ -179,31 +170,30 @@ const Line to_middle_of_apsides{R"(from the origin to the middle of the apsides,
                                 [](const auto& p) { return p.to_middle(); }, &Point::farthest};
 
 void to_the_ellipse(Curves& t) {
-  t.both.equation("moved", 883, "", {R"(4e^4\rho^2x^2)", R"([e^2(\rho^2+x^2)-r^2]^2)"});
-  t.both.equation("root", 885, "", {R"(\pm2e^2\rho x)", R"(e^2(\rho^2+x^2)-r^2)"},
+  t.both.equation("moved", 883, "", R"($4e^4\rho^2x^2=[e^2(\rho^2+x^2)-r^2]^2$)");
+  t.both.equation("root", 885, "", R"($\pm2e^2\rho x=e^2(\rho^2+x^2)-r^2$)",
                   " (our reading, here and below: $+$ on the orbit, $-$ on its mirror image)");
-  t.both.equation("collected", 889, "",
-                  {R"((1-e^2)x^2\pm2e^2\rho x+y^2)", R"(r^2-e^2x^2\pm2e^2\rho x)", R"(e^2\rho^2)"});
+  t.both.equation("collected", 889, "", R"($(1-e^2)x^2\pm2e^2\rho x+y^2=r^2-e^2x^2\pm2e^2\rho x=e^2\rho^2$)");
   t.both.equation("divided", 893, "Divided by $1-e^2$ (our condition: $0<e<1$): ",
-                  {R"(x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2})", R"(\frac{e^2\rho^2}{1-e^2})"});
-  t.both.equation(
-      "completed", 905, "The square completed: ",
-      {R"(\left(x\pm\frac{e^2\rho}{1-e^2}\right)^2+\frac{y^2}{1-e^2})",
-       R"(\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2})", R"(\frac{e^2\rho^2}{(1-e^2)^2})"});
-  t.top.claim(
+                  R"($x^2\pm\frac{2e^2\rho}{1-e^2}x+\frac{y^2}{1-e^2}=\frac{e^2\rho^2}{1-e^2}$)");
+  t.both.equation("completed", 905, "The square completed: ",
+                  R"($\left(x\pm\frac{e^2\rho}{1-e^2}\right)^2+\frac{y^2}{1-e^2})"
+                  R"(=\frac{e^2\rho^2}{1-e^2}+\frac{e^4\rho^2}{(1-e^2)^2}=\frac{e^2\rho^2}{(1-e^2)^2}$)");
+  const auto of_top = t.top.over_points();
+  of_top(
       "axes", 927,
       R"(The book defines $a=e\rho/(1-e^2)$ and $b=a\sqrt{1-e^2}$ (our check: they are half the length and half )"
       R"(the height of the orbit).)",
-      {.truth = {"half the way between the apsides, and the highest point by Brent's method",
-                 [](const auto& p) { return values(p.half_length(), p.half_height()); }},
-       .printed = R"($(e\rho/(1-e^2),\ a\sqrt{1-e^2})$)"});
-  t.top.claim("ratio", 929, "$a^2/b^2=1/(1-e^2)$",
-              {.truth = {"the apsides and the highest point by Brent's method",
-                         [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }},
-               .printed = "$1/(1-e^2)$"});
-  t.orbit.equation("c", 929, "", {"c", "ae", R"(e^2\rho/(1-e^2))"}, "", to_middle_of_apsides);
-  t.both.equation("scaled", 931, "", {R"((x\pm c)^2+(a^2/b^2)y^2)", "a^2"});
-  t.both.equation("ellipse", 935, "", {R"((x\pm c)^2/a^2+y^2/b^2)", "1"},
+      {"half the way between the apsides, and the highest point by Brent's method",
+       [](const auto& p) { return values(p.half_length(), p.half_height()); }},
+      R"($(e\rho/(1-e^2),\ a\sqrt{1-e^2})$)");
+  of_top("ratio", 929, "$a^2/b^2=1/(1-e^2)$",
+         {"the apsides and the highest point by Brent's method",
+          [](const auto& p) { return pow(p.half_length() / p.half_height(), 2); }},
+         "$1/(1-e^2)$");
+  t.orbit.equation("c", 929, "", R"($c=ae=e^2\rho/(1-e^2)$)", "", to_middle_of_apsides);
+  t.both.equation("scaled", 931, "", R"($(x\pm c)^2+(a^2/b^2)y^2=a^2$)");
+  t.both.equation("ellipse", 935, "", R"($(x\pm c)^2/a^2+y^2/b^2=1$)",
                   ", the standard formula of an ellipse along the axes");
 
   const auto fits = [&](double sign) {
@@ -237,7 +227,7 @@ void about_the_ellipse(Curves& t) {
       "The ellipse has $a>0$ and $b>0$ (our condition: $0<e<1$; for $e=0$ the polar equation "
       "is $r=0$, and from $e=1$ on its curve is no ellipse).",
       t.orbit.points, {.printed = {"$(a,b)>0$"}, .near_misses = {{R"($(a-\rho,b)>0$)"}, {"$(a,b-c)>0$"}}});
-  t.both.claim(
+  t.both.over_points()(
       "center", 941, R"(The center of the ellipse $(x\pm c)^2/a^2+y^2/b^2=1$ is $(\pm c,0)$.)",
       {.quantity = R"(the center of the orbit or of its mirror image)",
        .truth = {"the middle of the apsides",
@@ -248,7 +238,7 @@ void about_the_ellipse(Curves& t) {
        .why =
            R"($(x\pm c)^2$ is zero at $x=\mp c$. The orbit has the plus sign: its center, midway between the )"
            R"(apsides, is $(-c,0)$, away from the perihelion at $\theta=0$.)"});
-  t.top.claim(
+  t.top.over_points()(
       "major_axis", 941, "The length of the major axis is $a$, that of the minor axis $b$.",
       {.truth = {R"($r(0)+r(\pi)$, and twice the highest point by Brent's method)",
                  [](const auto& p) { return values(p.nearest() + p.farthest(), 2 * p.half_height()); }},
@@ -259,16 +249,14 @@ void about_the_ellipse(Curves& t) {
        .why =
            R"($a$ and $b$ are the semi-axes: $r(0)+r(\pi)=2e\rho/(1-e^2)=2a$. (The solution of 3.3 has $2a$ )"
            R"(and $2b$.))"});
-  t.orbit.claim(
-      "focal_distance", 943,
-      "The distance from the center to a focus is $c$: the origin has this distance from the center.",
-      {.truth = to_middle_of_apsides, .printed = "$c$"});
-  t.orbit.claim("origin_is_focus", 943,
-                "The origin is a focal point: the distances to it and to another point have a constant sum.",
-                {.quantity = "sum of the distances to the origin and $(-2c,0)$",
-                 .truth = all_apart,
-                 .printed = R"($r+\sqrt{(x+2c)^2+y^2}$)"});
-  t.both.claim(
+  const auto of_orbit = t.orbit.over_points();
+  of_orbit("focal_distance", 943,
+           "The distance from the center to a focus is $c$: the origin has this distance from the center.",
+           to_middle_of_apsides, "$c$");
+  of_orbit("origin_is_focus", 943,
+           "The origin is a focal point: the distances to it and to another point have a constant sum.",
+           all_apart, R"($r+\sqrt{(x+2c)^2+y^2}$)", "sum of the distances to the origin and $(-2c,0)$");
+  t.both.over_points()(
       "other_focus", 943, R"(The other focal point is $(\pm2c,0)$.)",
       {.quantity = R"(sum of the distances to the origin and the other focus)",
        .truth = all_apart,
@@ -312,13 +300,7 @@ std::vector<Root> roots() {
               {shown.e, shown.rho, a, 2 * a})}};
 }
 
-}  // namespace oddity::ex03_01
-
 // ---- proofs -----------------------------------------------------------------------------------------------
-
-namespace oddity {
-
-namespace ex03_01 {
 
 namespace {
 
@@ -330,43 +312,44 @@ PointOf<Shortened> any_point(double sign) {
   return p;
 }
 
-/// Denominators are (1 - e) (1 + e), which is positive.
-const std::string by_factors = "try replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;\n  ";
-
-/// Solves an equation by `field`, with y^2 and the square of the root of 1 - e^2 known.
-std::string by_squares(const Expression& q) {
-  const std::string root = sqrt(q).coq(), positive = "sqrt_lt_R0, Rmult_lt_0_compat; lra);\n  ";
-  return by_factors + "assert (root : " + root + " * " + root + " = " + q.coq() +
-         ") by (apply sqrt_sqrt, Rlt_le, Rmult_lt_0_compat; lra);\n  assert (" + root +
-         " <> 0) by (apply Rgt_not_eq, " + positive + "field [H2 root]; repeat split; lra";
-}
-
 Proposition is(const Shortened& left, const Shortened& right) {
   return left.expression() == right.expression();
 }
 
-std::vector<Proposition> orbits(const PointOf<Shortened>& p) {
-  return {above(p.e.expression(), 0), above((1 - p.e).expression(), 0), above(p.rho.expression(), 0)};
-}
+std::vector<Proposition> orbits(const PointOf<Shortened>& p) { return positive({p.e, 1 - p.e, p.rho}); }
 
 /// For the orbit, its mirror image, or any point if the sign is 0. The example is the farthest point.
 ForAll<PointOf> on_curve(double sign, const std::string& says) {
   const PointOf<Shortened> p = any_point(sign);
-  ForAll<PointOf> all{p,    "(e rho r x y : R)",    orbits(p), "field; repeat split; lra",
-                      says, {{0.5, 1}, 1, -1, 0, 1}};
+  ForAll<PointOf> all{.any = p,
+                      .letters = "(e rho r x y : R)",
+                      .given = orbits(p),
+                      .tactic = "field; repeat split; lra",
+                      .says = says,
+                      .example = {{0.5, 1}, 1, -1, 0, 1},
+                      .preamble = coq_source({"distances"})};
   if (sign == 0) return all;
   all.given.push_back(is(p.y * p.y, p.r * p.r - p.x * p.x));
-  all.tactic = by_squares(p.q().expression());
+  all.tactic = "by_squares";
   return all;
+}
+
+/// The height has no slope at this angle, which is above the axis.
+std::vector<Proposition> is_top(const PointOf<Shortened>& p, const Shortened& top) {
+  return {above(top.expression(), 0), above((pi_of<Shortened>() - top).expression(), 0),
+          is(p.slope_of_height(top), 0)};
 }
 
 ForAll<PointOf> at_the_top(const std::string& says) {
   const PointOf<Shortened> p = any_point(0);
-  const Shortened top = Shortened::letter("top");
-  ForAll<PointOf> all{p, "(e rho top : R)", orbits(p), "by_height", says, {{0.5, 1}, 0, 0, 0, 1}};
-  for (const Shortened& positive : {top, pi_of<Shortened>() - top})
-    all.given.push_back(above(positive.expression(), 0));
-  all.given.push_back(is(p.slope_of_height(top), 0));
+  ForAll<PointOf> all{.any = p,
+                      .letters = "(e rho top : R)",
+                      .given = orbits(p),
+                      .tactic = "by_height",
+                      .says = says,
+                      .example = {{0.5, 1}, 0, 0, 0, 1},
+                      .preamble = coq_source({"heights"})};
+  for (const Proposition& one : is_top(p, Shortened::letter("top"))) all.given.push_back(one);
   return all;
 }
 
@@ -374,14 +357,9 @@ ForAll<PointOf> at_the_top(const std::string& says) {
 Lemma top_there_is() {
   const PointOf<Shortened> p = any_point(0);
   const Shortened top = acos(-p.e), angle = Shortened::letter("theta");
-  return {.name = "highest",
-          .letters = "(e rho theta : R)",
-          .given = orbits(p),
-          .follows = {above(top.expression(), 0),
-                      above((pi_of<Shortened>() - top).expression(), 0),
-                      is(p.slope_of_height(top), 0),
-                      {p.height(angle).expression().coq() + " <= " + p.height(top).expression().coq()}},
-          .tactic = "by_top"};
+  Lemma all{"highest", "(e rho theta : R)", orbits(p), is_top(p, top), "by_top"};
+  all.follows.push_back({p.height(angle).expression().coq() + " <= " + p.height(top).expression().coq()});
+  return all;
 }
 
 Provable proof_of_solutions() {
@@ -408,16 +386,15 @@ Provables proofs() {
   Curves t(1);
   claim(t);
   Provables all{proof_of_solutions()};
-  const auto add = [&](Provables more, const std::string& lemma = "", const std::string& preamble = "") {
+  const auto add = [&](Provables more, const char* lemma = "") {
     for (Provable& one : more) {
-      const auto found = std::ranges::find(all, one.claim, &Provable::claim);
-      if (found == all.end()) {
-        one.preamble = preamble;
+      const auto known = std::ranges::find(all, one.claim, &Provable::claim);
+      if (known == all.end()) {
         all.push_back(std::move(one));
       } else {
         one.lemmas[0].name = lemma;
-        found->says = one.says;
-        found->lemmas.push_back(std::move(one.lemmas[0]));
+        known->says = one.says;
+        known->lemmas.push_back(std::move(one.lemmas[0]));
       }
     }
   };
@@ -428,19 +405,19 @@ Provables proofs() {
     add(curve->proofs("3.1", on_curve(1, on_both)), "orbit");
     add(curve->proofs("3.1", on_curve(-1, on_both)), "mirror_image");
   }
-  add(t.top.proofs("3.1", at_the_top(on_orbits)), "", coq_source({"heights"}));
+  add(t.top.proofs("3.1", at_the_top(on_orbits)));
   add({{"3.1-axes", on_orbits + ", and every orbit has a highest point", {top_there_is()}}}, "highest");
   for (const char* slug : {"multiplied", "distance", "origin_is_focus", "other_focus"}) {
-    Provable& p = *std::ranges::find(all, "3.1-" + std::string(slug), &Provable::claim);
-    p.preamble = coq_source({"distances"});
-    for (Lemma& lemma : p.lemmas)
+    for (Lemma& lemma : proof_of(all, "3.1-" + std::string(slug)).lemmas)
       if (lemma.tactic != "interval")
         lemma.tactic = lemma.name == "mirror_image" ? "by_mirrored_distance" : "by_distance";
   }
   return all;
 }
 
-}  // namespace ex03_01
+}  // namespace oddity::ex03_01
+
+namespace oddity {
 
 Provables proofs_3_1() { return ex03_01::proofs(); }
 

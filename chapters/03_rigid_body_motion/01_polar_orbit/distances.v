@@ -41,3 +41,11 @@ Ltac by_mirrored_distance :=
     assert (M : y * y = (e * rho - e * - x) * (e * rho - e * - x) - - x * - x) by (rewrite C; ring);
     destruct (on_orbit e rho (- x) y E U P M) as [far below];
     other_distance e rho (- x) M; field; repeat split; lra end.
+(* By the squares of y and of the root of 1 - e^2. *)
+Ltac by_squares :=
+  match goal with E : ?e > 0, U : 1 - ?e > 0, C : ?y * ?y = _ - ?x * ?x |- _ =>
+    try replace (1 - e ^ 2) with ((1 - e) * (1 + e)) by ring;
+    assert (root : sqrt ((1 - e) * (1 + e)) * sqrt ((1 - e) * (1 + e)) = (1 - e) * (1 + e))
+      by (apply sqrt_sqrt, Rlt_le, Rmult_lt_0_compat; lra);
+    assert (sqrt ((1 - e) * (1 + e)) <> 0) by (apply Rgt_not_eq, sqrt_lt_R0, Rmult_lt_0_compat; lra);
+    field [C root]; repeat split; lra end.
