@@ -35,15 +35,6 @@ struct SampleOf {
   std::vector<T> m, r, theta, omega;
   T g, h;
 
-  SampleOf() = default;
-  explicit SampleOf(Random& random, int n = 3) : g(random.between(1, 10)), h(random.between(1, 5)) {
-    for (int k = 0; k < n; ++k) {
-      m.push_back(random.between(0.3, 3));
-      r.push_back(random.between(0.3, 2));
-      theta.push_back(random.between(-3, 3));
-      omega.push_back(random.between(-3, 3));
-    }
-  }
   TypesetIn<T> typeset() const {
     TypesetIn<T> all{{"g", g}, {"h", h}};
     const auto places = at(theta), rates = velocities();
@@ -60,11 +51,8 @@ struct SampleOf {
     return all;
   }
   SampleOf<Shortened> recorded() const {
-    SampleOf<Shortened> same;
     const auto of = [](const std::vector<T>& x) { return std::vector<Shortened>(x.begin(), x.end()); };
-    same.m = of(m), same.r = of(r), same.theta = of(theta), same.omega = of(omega);
-    same.g = g, same.h = h;
-    return same;
+    return {of(m), of(r), of(theta), of(omega), g, h};
   }
   std::string where() const {
     return R"($\theta$ = ()" + format_significant(theta[0], 4) + R"(, ...), $\omega$ = ()" +
@@ -177,6 +165,23 @@ struct SampleOf {
 };
 
 using Sample = SampleOf<double>;
+Sample random_chain(Random& random, int n = 3) {
+  Sample s{{}, {}, {}, {}, random.between(1, 10), random.between(1, 5)};
+  for (int k = 0; k < n; ++k) {
+    s.m.push_back(random.between(0.3, 3));
+    s.r.push_back(random.between(0.3, 2));
+    s.theta.push_back(random.between(-3, 3));
+    s.omega.push_back(random.between(-3, 3));
+  }
+  return s;
+}
+std::vector<Sample> random_chains(int count, double seed) {
+  Random random(seed);
+  std::vector<Sample> all;
+  for (int i = 0; i < count; ++i) all.push_back(random_chain(random));
+  return all;
+}
+
 using Table = ProvableClaims<SampleOf>;
 using Of = ProvableFormula<SampleOf>;
 
@@ -188,7 +193,7 @@ Check accelerations(const std::string& left, const std::string& right, double se
   WorstSample worst(R"($\ddot\theta$)", left, right);
   for (int i = 0; i < 60; ++i) {
     const int n = least + i % (most - least + 1);
-    const Sample s(random, n);
+    const Sample s = random_chain(random, n);
     const Value expected = by_right(s);
     const double size = std::max(size_of(expected), 10.0);
     worst.add(by_left(s), expected, {1e-10 * size, "a ten-thousandth of a millionth: condition below $10^5$"},
@@ -245,29 +250,26 @@ T potential_at_rest(const SampleOf<T>& s) {
 void formulas(Table& table, const std::vector<Sample>& samples) {
   const Of by_pairs{"Koenig: the center of mass, and the speeds of the masses relative to each other",
                     [](const auto& s) { return s.kinetic_by_pairs(); }};
-  table.formula(
-      "kinetic_sum", 2629, R"(The kinetic energy is $T=\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)", samples,
-      {.quantity = "$T$", .truth = by_pairs, .printed = R"($\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)"});
-  const auto line = [&](std::string_view slug, int number, const std::string& quantity,
-                        const std::string& formula, const Of& truth) {
-    table.formula(slug, number, formula, samples, {.quantity = quantity, .truth = truth, .printed = formula});
-  };
+  const auto claim = table.over(samples);
+  claim("kinetic_sum", 2629, R"(The kinetic energy is $T=\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)", by_pairs,
+        R"($\sum\frac{m_k}2(\dot x_k^2+\dot y_k^2)$)", "$T$");
   const std::string rods = "three turned rods, added as vectors", dual = "dual numbers in the time";
-  line("x3", 2645, "the place $x_3$ of the third mass",
-       R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)",
-       {rods, [](const auto& s) { return three_rods(s)[0]; }});
-  line("y3", 2647, "its height $y_3$", R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)",
-       {rods, [](const auto& s) { return s.h + three_rods(s)[1]; }});
-  line("x3_rate", 2651, R"($\dot x_3$)",
-       R"($\dot x_3=r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
-       {dual, [](const auto& s) { return s.velocities()[4]; }});
-  line("y3_rate", 2653, R"($\dot y_3$)",
-       R"($\dot y_3=r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)",
-       {dual, [](const auto& s) { return s.velocities()[5]; }});
+  claim.equation("x3", 2645, R"($x_3=r_1\sin\theta_1+r_2\sin\theta_2+r_3\sin\theta_3$)",
+                 {rods, [](const auto& s) { return three_rods(s)[0]; }});
+  claim.equation("y3", 2647, R"($y_3=h-r_1\cos\theta_1-r_2\cos\theta_2-r_3\cos\theta_3$)",
+                 {rods, [](const auto& s) { return s.h + three_rods(s)[1]; }});
+  claim.equation(
+      "x3_rate", 2651,
+      R"($\dot x_3=r_1\dot\theta_1\cos\theta_1+r_2\dot\theta_2\cos\theta_2+r_3\dot\theta_3\cos\theta_3$)",
+      {dual, [](const auto& s) { return s.velocities()[4]; }});
+  claim.equation(
+      "y3_rate", 2653,
+      R"($\dot y_3=r_1\dot\theta_1\sin\theta_1+r_2\dot\theta_2\sin\theta_2+r_3\dot\theta_3\sin\theta_3$)",
+      {dual, [](const auto& s) { return s.velocities()[5]; }});
   const std::string substituted = R"(\sum_n\frac{m_n}2\left((\sum_{k\le n}r_k\dot\theta_k\cos\theta_k)^2)"
                                   R"(+(\sum_{k\le n}r_k\dot\theta_k\sin\theta_k)^2\right)$)";
-  table.formula("kinetic_substituted", 2657, "With the derivatives put in, $T=" + substituted, samples,
-                {.quantity = "$T$", .truth = by_pairs, .printed = "$" + substituted});
+  claim("kinetic_substituted", 2657, "With the derivatives put in, $T=" + substituted, by_pairs,
+        "$" + substituted, "$T$");
   const auto brackets = [](const std::string& between) {
     const std::string two = R"(r_1^2\dot\theta_1^2+r_2^2\dot\theta_2^2)",
                       cosine_12 = R"(+2r_1r_2\dot\theta_1\dot\theta_2\cos(\theta_1-\theta_2))",
@@ -277,8 +279,8 @@ void formulas(Table& table, const std::vector<Sample>& samples) {
            R"(\frac{m_3}2\left()" + two + R"(+r_3^2\dot\theta_3^2)" + cosine_12 + cosine_13 + cosine_23 +
            R"(\right)$)";
   };
-  table.formula(
-      "kinetic_expanded", 2679, "Expanded, $T=" + brackets("+").substr(1), samples,
+  claim(
+      "kinetic_expanded", 2679, "Expanded, $T=" + brackets("+").substr(1),
       {.quantity = "$T$",
        .truth = by_pairs,
        .printed = brackets(""),
@@ -286,12 +288,10 @@ void formulas(Table& table, const std::vector<Sample>& samples) {
        .kind = Fault::formula,
        .why = "The plus sign between the second and the third term is inside the second's parenthesis, after "
               "its last cosine, so that the two are multiplied. Every term of the sum is right."});
-  table.formula("potential", 2713, "The potential energy is $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
-                samples,
-                {.quantity = "$V$, which is as printed at rest",
-                 .truth = {"that at rest less gravity's work on the way, by quadrature",
-                           [](const auto& s) { return potential_at_rest(s) - s.work_of_gravity(); }},
-                 .printed = "$-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$"});
+  claim("potential", 2713, "The potential energy is $V=-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$",
+        {"that at rest less gravity's work on the way, by quadrature",
+         [](const auto& s) { return potential_at_rest(s) - s.work_of_gravity(); }},
+        "$-m_1g(h-y_1)-m_2g(h-y_2)-m_3g(h-y_3)$", "$V$, which is as printed at rest");
 }
 
 }  // namespace
@@ -299,9 +299,9 @@ void formulas(Table& table, const std::vector<Sample>& samples) {
 std::vector<Claim> claims(double seed) {
   Claims claims("3.25");
   Table table(claims);
-  formulas(table, draw<Sample>(200, seed));
+  formulas(table, random_chains(200, seed));
   claims.statement("three_free_variables", 2643, "Three of the six coordinates are free",
-                   draw<Sample>(100, seed),
+                   random_chains(100, seed),
                    {.printed = {"three, 6 less the rank of the rods' constraints",
                                 [](const Sample& s) { return free_coordinates(s) == 3; }},
                     .near_misses = {{"four", [](const Sample& s) { return free_coordinates(s) == 4; }}}});
@@ -349,35 +349,13 @@ constexpr const char* by_integral = R"(
     + m3 * (r1 * cos (a1 * t) + r2 * cos (a2 * t) + r3 * cos (a3 * t))));
   rewrite ?Rmult_1_r, ?Rmult_0_r, ?cos_0; ring)";
 
-constexpr const char* by_energy = R"(
-  lazymatch type of H5 with ?l1 = 0 => lazymatch type of H6 with ?k1 = 0 =>
-  lazymatch type of H7 with ?l2 = 0 => lazymatch type of H8 with ?k2 = 0 =>
-  lazymatch type of H9 with ?l3 = 0 => lazymatch type of H10 with ?k3 = 0 =>
-    set (x1 := r1 * cos a1 * (b1 - c1)); set (y1 := r1 * sin a1 * (b1 - c1));
-    set (x2 := r2 * cos a2 * (b2 - c2)); set (y2 := r2 * sin a2 * (b2 - c2));
-    set (x3 := r3 * cos a3 * (b3 - c3)); set (y3 := r3 * sin a3 * (b3 - c3));
-    assert (E : m1 * (x1 * x1 + y1 * y1) + m2 * ((x1 + x2) * (x1 + x2) + (y1 + y2) * (y1 + y2))
-      + m3 * ((x1 + x2 + x3) * (x1 + x2 + x3) + (y1 + y2 + y3) * (y1 + y2 + y3)) = 0)
-      by (transitivity ((b1 - c1) * (l1 - k1) + (b2 - c2) * (l2 - k2) + (b3 - c3) * (l3 - k3));
-        [unfold x1, y1, x2, y2, x3, y3; field | rewrite H5, H6, H7, H8, H9, H10; ring])
-  end end end end end end;
-  destruct (no_energy _ _ _ _ _ _ _ _ _ H H0 H1 E) as [X1 [Y1 [X2 [Y2 [X3 Y3]]]]];
-  assert (D1 : b1 - c1 = 0) by exact (no_speed r1 _ a1 H2 X1 Y1);
-  assert (D2 : b2 - c2 = 0) by (apply (no_speed r2 _ a2 H3); fold x2; fold y2; lra);
-  assert (D3 : b3 - c3 = 0) by (apply (no_speed r3 _ a3 H4); fold x3; fold y3; lra);
-  rewrite D1, D2, D3; ring)";
-
 std::vector<Shortened> three_letters(const std::string& name) {
   return {Shortened::letter(name + "1"), Shortened::letter(name + "2"), Shortened::letter(name + "3")};
 }
 
 SampleOf<Shortened> three_links() {
-  SampleOf<Shortened> s;
-  s.m = three_letters("m"), s.r = three_letters("r"), s.theta = three_letters("a");
-  s.omega = three_letters("w");
-  s.g = Shortened::letter("g");
-  s.h = Shortened::letter("h");
-  return s;
+  return {three_letters("m"), three_letters("r"),     three_letters("a"),
+          three_letters("w"), Shortened::letter("g"), Shortened::letter("h")};
 }
 
 }  // namespace
@@ -388,12 +366,11 @@ Provable proof_of_equations(const SampleOf<Shortened>& s) {
   Lemma holds{.name = "newton",
               .letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h b1 b2 b3 : R)",
               .tactic = "by_tensions"};
-  for (const auto* all : {&s.m, &s.r})
-    for (const Shortened& x : *all) holds.given.push_back(above(x.expression(), 0));
+  holds.given = positive({s.m[0], s.m[1], s.m[2], s.r[0], s.r[1], s.r[2]});
   Lemma alone = holds;
   alone.name = "unique";
   alone.letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h b1 b2 b3 c1 c2 c3 : R)";
-  alone.tactic = by_energy;
+  alone.tactic = "by_energy H H0 H1 H2 H3 H4 H5 H6 H7 H8 H9 H10 a1 a2 a3 b1 b2 b3 c1 c2 c3";
   Shortened apart = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Proposition solved = s.lagrange_left_side(i, a).expression() == 0;
@@ -419,11 +396,9 @@ Provables proofs() {
   ForAll<SampleOf> all{.any = three_links(),
                        .letters = "(m1 m2 m3 r1 r2 r3 a1 a2 a3 w1 w2 w3 g h : R)",
                        .tactic = "hanging a1 a2 a3",
-                       .says = "it holds for any three links in any motion"};
-  for (const Shortened& mass : all.any.m) all.given.push_back(above(mass.expression(), 0));
-  all.example.m = {1, 2, 3}, all.example.r = {1, 2, 1};
-  all.example.theta = {0, 1, 2}, all.example.omega = {1, -1, 2};
-  all.example.g = all.example.h = 1;
+                       .says = "it holds for any three links in any motion",
+                       .example = {{1, 2, 3}, {1, 2, 1}, {0, 1, 2}, {1, -1, 2}, 1, 1}};
+  all.given = positive({all.any.m[0], all.any.m[1], all.any.m[2]});
   Provables proved = table.proofs("3.25", all);
   for (Provable& p : proved) {
     const bool by_work = p.claim == "3.25-potential";

@@ -165,3 +165,23 @@ Proof.
       [lra |].
   tauto.
 Qed.
+(* By positive masses m and lengths r, and the equations' left sides l and k for b and c. *)
+Ltac by_energy M1 M2 M3 R1 R2 R3 L1 K1 L2 K2 L3 K3 a1 a2 a3 b1 b2 b3 c1 c2 c3 :=
+  lazymatch type of M1 with ?m1 > 0 => lazymatch type of M2 with ?m2 > 0 => lazymatch type of M3 with ?m3 > 0 =>
+  lazymatch type of R1 with ?r1 > 0 => lazymatch type of R2 with ?r2 > 0 => lazymatch type of R3 with ?r3 > 0 =>
+  lazymatch type of L1 with ?l1 = 0 => lazymatch type of K1 with ?k1 = 0 =>
+  lazymatch type of L2 with ?l2 = 0 => lazymatch type of K2 with ?k2 = 0 =>
+  lazymatch type of L3 with ?l3 = 0 => lazymatch type of K3 with ?k3 = 0 =>
+    set (x1 := r1 * cos a1 * (b1 - c1)); set (y1 := r1 * sin a1 * (b1 - c1));
+    set (x2 := r2 * cos a2 * (b2 - c2)); set (y2 := r2 * sin a2 * (b2 - c2));
+    set (x3 := r3 * cos a3 * (b3 - c3)); set (y3 := r3 * sin a3 * (b3 - c3));
+    assert (E : m1 * (x1 * x1 + y1 * y1) + m2 * ((x1 + x2) * (x1 + x2) + (y1 + y2) * (y1 + y2))
+      + m3 * ((x1 + x2 + x3) * (x1 + x2 + x3) + (y1 + y2 + y3) * (y1 + y2 + y3)) = 0)
+      by (transitivity ((b1 - c1) * (l1 - k1) + (b2 - c2) * (l2 - k2) + (b3 - c3) * (l3 - k3));
+        [unfold x1, y1, x2, y2, x3, y3; field | rewrite L1, K1, L2, K2, L3, K3; ring]);
+    destruct (no_energy _ _ _ _ _ _ _ _ _ M1 M2 M3 E) as [X1 [Y1 [X2 [Y2 [X3 Y3]]]]];
+    assert (D1 : b1 - c1 = 0) by exact (no_speed r1 _ a1 R1 X1 Y1);
+    assert (D2 : b2 - c2 = 0) by (apply (no_speed r2 _ a2 R2); fold x2; fold y2; lra);
+    assert (D3 : b3 - c3 = 0) by (apply (no_speed r3 _ a3 R3); fold x3; fold y3; lra);
+    rewrite D1, D2, D3; ring
+  end end end end end end end end end end end end.
