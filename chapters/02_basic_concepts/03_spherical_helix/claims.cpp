@@ -19,22 +19,16 @@ using std::numbers::pi;
 template <class T>
 struct SampleOf {
   T t;
-  std::array<T*, 1> letters() { return {&t}; }
+  Letters<T> table() { return {{"t", t}}; }
   TypesetIn<T> typeset() const {
     const AtOf<T> k(t);
     const T s = sin(k.phi[0]), c = cos(k.phi[0]);
     const Vector<T> P{-sin(t), cos(t), T(0.0)}, R{cos(t) * s, sin(t) * s, c}, Q = cross(R, P);
-    return {{"t", t},
-            {R"(\dot t)", T(1.0)},
-            {"u", k.m.r[2]},
-            {R"(\phi)", k.phi[0]},
-            {R"(\dot\phi)", k.phi[1]},
-            {R"(\ddot\phi)", k.phi[2]},
-            {R"(\mathbf v)", k.m.v.e},
-            {R"(\mathbf P)", P.e},
-            {R"(\mathbf Q)", Q.e},
-            {R"(\mathbf R)", R.e},
-            {R"(\mathbf R(\theta,\phi))", R.e}};
+    return {{R"(\dot t)", T(1.0)},      {"u", k.m.r[2]},
+            {R"(\phi)", k.phi[0]},      {R"(\dot\phi)", k.phi[1]},
+            {R"(\ddot\phi)", k.phi[2]}, {R"(\mathbf v)", k.m.v.e},
+            {R"(\mathbf P)", P.e},      {R"(\mathbf Q)", Q.e},
+            {R"(\mathbf R)", R.e},      {R"(\mathbf R(\theta,\phi))", R.e}};
   }
   std::string where() const { return "$t$ = " + format_shortest(t); }
 };
@@ -66,15 +60,14 @@ void angles(Table& table, const std::vector<Sample>& all) {
   const auto by_angles = [](const auto& of, double (*terms)(const At&) = unity) {
     return at("atan2 of the position, in dual numbers", of, terms);
   };
-  table.formula("on_the_sphere", 191, R"($\rho=1$ for all $t$)", all,
-                {.quantity = R"($\rho$)",
-                 .truth = at("the unit sphere", [](const auto&) { return 1.0; }),
-                 .printed = R"($|(\cos t,\sin t,t)|/\sqrt{1+t^2}$)"});
-  table.formula(
+  const auto claim = table.over(all);
+  claim("on_the_sphere", 191, R"($\rho=1$ for all $t$)",
+        at("the unit sphere", [](const auto&) { return 1.0; }), R"($|(\cos t,\sin t,t)|/\sqrt{1+t^2}$)",
+        R"($\rho$)");
+  claim(
       "spherical_coordinates", 193,
       R"($x=\cos\theta\sin\phi$, $y=\sin\theta\sin\phi$, $z=\cos\phi$, with $x=\cos t\,\sqrt{1+t^2}$, )"
       R"($y=\sin t\,\sqrt{1+t^2}$, $z=t\,\sqrt{1+t^2}$)",
-      all,
       {.quantity = R"($(x,y,z)$)",
        .truth = at(R"(the products, $\theta$ and $\phi$ being atan2 of the position)",
                    [](const auto& k) {
@@ -88,74 +81,54 @@ void angles(Table& table, const std::vector<Sample>& all) {
            R"(The bars above the roots are lost in the text at hand: $x=\cos t/\sqrt{1+t^2}$. As products they )"
            R"(leave the sphere: at $t=1$, $|(x,y,z)|$ is @1.)",
            {sqrt(2.0) * hypot(cos(1.0), sin(1.0), 1.0)})});
-  table.formula("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$)", all,
-                {.quantity = R"($\sin\phi$)",
-                 .truth = by_angles([](const auto& k) { return sin(k.phi[0]); }),
-                 .printed = R"($1/\sqrt{1+t^2}$)"});
-  table.formula("theta", 201,
-                R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$, so that $\theta=t$ may be chosen)", all,
-                {.quantity = R"($(\cos\theta,\sin\theta)$)",
-                 .truth = by_angles([](const auto& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }),
-                 .printed = R"($(\cos t,\sin t)$)"});
-  table.formula(
-      "phi", 205, R"($\phi=\cos^{-1}(t\,\sqrt{1+t^2})$, in $[0,\pi]$)", all,
-      {.quantity = R"($\phi$)",
-       .truth = by_angles([](const auto& k) { return k.phi[0]; }, steepness),
-       .printed = R"($\cos^{-1}(t\,\sqrt{1+t^2})$)",
-       .meant = R"($\cos^{-1}(t/\sqrt{1+t^2})$)",
-       .why =
-           filled(R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
-                  R"($t\sqrt{1+t^2}$, it is above 1 from $t=@2$ on, and no cosine.)",
-                  {sqrt((sqrt(5.0) - 1) / 2)})});
-  table.formula(
-      "rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)", all,
-      {.quantity = R"($(\dot\rho,\ddot\rho,\dot\theta,\ddot\theta)$)",
-       .truth = by_angles([](const auto& k) { return values(k.rho[1], k.rho[2], k.theta[1], k.theta[2]); }),
-       .printed = "$(0,0,1,0)$"});
-  table.formula(
-      "derivative_of_acos", 211, R"($\frac{d}{du}\cos^{-1}u=-1\,\sqrt{1-u^2}$)", all,
-      {.quantity = R"(the slope of $\cos^{-1}$ at $u=z$)",
-       .truth = at(R"(atan2 of $\sqrt{1-u^2}$ and $u$ in dual numbers)",
-                   [](const auto& k) { return slope_of_acos(k.m.r[2]); },
-                   [](const auto& k) { return k.d * sqrt(k.d); }),
-       .printed = R"($-\sqrt{1-u^2}$)",
-       .meant = R"($-1/\sqrt{1-u^2}$)",
-       .why =
-           filled(R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $@3$, the )"
-                  R"(product $@1$.)",
-                  {slope_of_acos(0.6), -sqrt(1 - 0.6 * 0.6)})});
-  table.formula(
-      "derivative_of_z", 219, R"($z=t\,\sqrt{1+t^2}$ has $\dot z=(1+t^2)^{-3/2}$)", all,
-      {.quantity = R"($\dot z-(1+t^2)^{-3/2}$)",
-       .truth = at("zero", [](const auto&) { return 0.0; }),
-       .printed = R"($\frac{d}{dt}(t\,\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
-       .meant = R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
-       .why = filled(
-           R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
-           R"($(1+2t^2)/\sqrt{1+t^2}$, @3 at $t=1$ for @3.)",
-           {3 / sqrt(2.0), pow(2.0, -1.5)})});
+  claim.equation("sine_of_phi", 201, R"($\sin\phi=1/\sqrt{1+t^2}$)",
+                 by_angles([](const auto& k) { return sin(k.phi[0]); }));
+  claim("theta", 201, R"($\cos\theta=\cos t$ and $\sin\theta=\sin t$, so that $\theta=t$ may be chosen)",
+        by_angles([](const auto& k) { return values(cos(k.theta[0]), sin(k.theta[0])); }),
+        R"($(\cos t,\sin t)$)", R"($(\cos\theta,\sin\theta)$)");
+  claim.lost("phi", 205, R"($\phi=\cos^{-1}(t\,\sqrt{1+t^2})$, in $[0,\pi]$)",
+             by_angles([](const auto& k) { return k.phi[0]; }, steepness),
+             R"($\phi=\cos^{-1}(t/\sqrt{1+t^2})$)",
+             filled(R"(The bar is lost in the text at hand: $\phi=\cos^{-1}(t/\sqrt{1+t^2})$. As a product, )"
+                    R"($t\sqrt{1+t^2}$, it is above 1 from $t=@2$ on, and no cosine.)",
+                    {sqrt((sqrt(5.0) - 1) / 2)}));
+  claim("rates_of_rho_and_theta", 209, R"($\dot\rho=\ddot\rho=0$, $\dot\theta=1$, $\ddot\theta=0$)",
+        by_angles([](const auto& k) { return values(k.rho[1], k.rho[2], k.theta[1], k.theta[2]); }),
+        "$(0,0,1,0)$", R"($(\dot\rho,\ddot\rho,\dot\theta,\ddot\theta)$)");
+  claim("derivative_of_acos", 211, R"($\frac{d}{du}\cos^{-1}u=-1\,\sqrt{1-u^2}$)",
+        {.quantity = R"(the slope of $\cos^{-1}$ at $u=z$)",
+         .truth = at(R"(atan2 of $\sqrt{1-u^2}$ and $u$ in dual numbers)",
+                     [](const auto& k) { return slope_of_acos(k.m.r[2]); },
+                     [](const auto& k) { return k.d * sqrt(k.d); }),
+         .printed = R"($-\sqrt{1-u^2}$)",
+         .meant = R"($-1/\sqrt{1-u^2}$)",
+         .why =
+             filled(R"(The bar is lost in the text at hand: $-1/\sqrt{1-u^2}$. At $u=0.6$ that is $@3$, the )"
+                    R"(product $@1$.)",
+                    {slope_of_acos(0.6), -sqrt(1 - 0.6 * 0.6)})});
+  claim("derivative_of_z", 219, R"($z=t\,\sqrt{1+t^2}$ has $\dot z=(1+t^2)^{-3/2}$)",
+        {.quantity = R"($\dot z-(1+t^2)^{-3/2}$)",
+         .truth = at("zero", [](const auto&) { return 0.0; }),
+         .printed = R"($\frac{d}{dt}(t\,\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
+         .meant = R"($\frac{d}{dt}(t/\sqrt{1+t^2})=(1+t^2)^{-3/2}$)",
+         .why = filled(
+             R"(The bar is lost in the text at hand: $z=t/\sqrt{1+t^2}$. The derivative of the product is )"
+             R"($(1+2t^2)/\sqrt{1+t^2}$, @3 at $t=1$ for @3.)",
+             {3 / sqrt(2.0), pow(2.0, -1.5)})});
   const OfTime phi_dot = by_angles([](const auto& k) { return k.phi[1]; });
-  table.formula(
-      "chain_rule", 229, R"($\dot\phi=-1\,\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$ by the chain rule)", all,
-      {.quantity = R"($\dot\phi$)",
-       .truth = phi_dot,
-       .printed = R"($-\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$)",
-       .meant = R"($-(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)",
-       .why = filled(
-           R"(The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is )"
-           R"($@1$, the product $@2$.)",
-           {-pow(2.0, -1.5) / sqrt(0.5), -pow(2.0, -1.5) * sqrt(0.5)})});
-  table.formula("phi_dot", 229, R"($\dot\phi=-1/(1+t^2)$)", all,
-                {.quantity = R"($\dot\phi$)", .truth = phi_dot, .printed = R"($-1/(1+t^2)$)"});
-  table.formula("phi_double_dot", 251, R"($\ddot\phi=2t/(1+t^2)^2$)", all,
-                {.quantity = R"($\ddot\phi$)",
-                 .truth = by_angles([](const auto& k) { return k.phi[2]; }),
-                 .printed = R"($2t/(1+t^2)^2$)"});
-  table.formula("position", 257, R"($\mathbf r=\mathbf R(\theta,\phi)$)", all,
-                {.quantity = R"($\mathbf r$)",
-                 .truth = at(
-                     "the position", [](const auto& k) { return k.m.r; }, steepness),
-                 .printed = R"($\mathbf R(\theta,\phi)$)"});
+  claim.lost(
+      "chain_rule", 229, R"($\dot\phi=-1\,\sqrt{1-t^2/(1+t^2)}\,(1+t^2)^{-3/2}$ by the chain rule)", phi_dot,
+      R"($\dot\phi=-(1+t^2)^{-3/2}/\sqrt{1-t^2/(1+t^2)}$)",
+      filled(
+          R"(The bar above the root is lost in the text at hand; the root divides. At $t=1$ the quotient is )"
+          R"($@1$, the product $@2$.)",
+          {-pow(2.0, -1.5) / sqrt(0.5), -pow(2.0, -1.5) * sqrt(0.5)}));
+  claim.equation("phi_dot", 229, R"($\dot\phi=-1/(1+t^2)$)", phi_dot);
+  claim.equation("phi_double_dot", 251, R"($\ddot\phi=2t/(1+t^2)^2$)",
+                 by_angles([](const auto& k) { return k.phi[2]; }));
+  claim.equation("position", 257, R"($\mathbf r=\mathbf R(\theta,\phi)$)",
+                 at(
+                     "the position", [](const auto& k) { return k.m.r; }, steepness));
 }
 
 /// A component along P, Q or R.
@@ -172,12 +145,10 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
   const std::string cartesian = "Cartesian dual numbers";
   const OfTime velocity = at(
       cartesian, [](const auto& k) { return k.m.v; }, of_velocity);
-  table.formula("velocity_formula", 261, R"($\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", all,
-                {.quantity = R"($\mathbf v$)",
-                 .truth = velocity,
-                 .printed = R"($\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)"});
-  table.formula(
-      "velocity_p", 261, R"($\mathbf v$ has the component $1\,\sqrt{1+t^2}$ along $\mathbf P$.)", all,
+  const auto claim = table.over(all);
+  claim.equation("velocity_formula", 261, R"($\mathbf v=\sin\phi\,\mathbf P-\dot\phi\,\mathbf Q$)", velocity);
+  claim(
+      "velocity_p", 261, R"($\mathbf v$ has the component $1\,\sqrt{1+t^2}$ along $\mathbf P$.)",
       {.quantity = R"($\mathbf v\cdot\mathbf P$)",
        .truth = part_of_velocity(0),
        .printed = R"($\sqrt{1+t^2}$)",
@@ -186,8 +157,8 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
            R"(The bar above the root is lost in the text at hand: $\mathbf P/\sqrt{1+t^2}$. As printed the speed )"
            R"(grows with $t$: at $t=10$ the helix moves at @2, and the product is @2.)",
            {At(10.0).speed, sqrt(101.0)})});
-  table.formula(
-      "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$.)", all,
+  claim(
+      "velocity_q", 261, R"($\mathbf v$ has the component $-1/(1+t^2)$ along $\mathbf Q$.)",
       {.quantity = R"($\mathbf v\cdot\mathbf Q$)",
        .truth = part_of_velocity(1),
        .printed = R"($-1/(1+t^2)$)",
@@ -198,24 +169,18 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
            R"($\dot\phi=-1/(1+t^2)$ is negative: $\mathbf v=\mathbf P/\sqrt{1+t^2}+\mathbf Q/(1+t^2)$. At $t=0$ )"
            R"(the helix rises with $\dot z=@1$ and $\mathbf Q=\mathbf k$; the printed velocity falls.)",
            {At(0.0).m.v[2]})});
-  table.formula("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$.)", all,
-                {.quantity = R"($\mathbf v$, by its parts along $\mathbf P$ and $\mathbf Q$)",
-                 .truth = velocity,
-                 .printed = R"($(\mathbf v\cdot\mathbf P)\mathbf P+(\mathbf v\cdot\mathbf Q)\mathbf Q$)"});
-  const std::string acceleration =
-      R"(2\dot\phi\cos\phi\,\mathbf P+(\sin\phi\cos\phi-\ddot\phi)\mathbf Q-(\dot\phi^2+\sin^2\phi)\mathbf R$)";
-  table.formula("acceleration_formula", 277, R"($\mathbf a=)" + acceleration, all,
-                {.quantity = R"($\mathbf a$)",
-                 .truth = at(
-                     cartesian, [](const auto& k) { return k.m.a; }, of_acceleration),
-                 .printed = "$" + acceleration});
-  table.formula("acceleration_p", 277,
-                R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$.)", all,
-                {.quantity = R"($\mathbf a\cdot\mathbf P$)",
-                 .truth = part_of_acceleration(0),
-                 .printed = R"($-2t/(1+t^2)^{3/2}$)"});
-  table.formula(
-      "acceleration_q", 277, R"($\mathbf a$ has the component $-t/(1+t^2)$ along $\mathbf Q$.)", all,
+  claim("velocity_r", 261, R"($\mathbf v$ has no component along $\mathbf R$.)", velocity,
+        R"($(\mathbf v\cdot\mathbf P)\mathbf P+(\mathbf v\cdot\mathbf Q)\mathbf Q$)",
+        R"($\mathbf v$, by its parts along $\mathbf P$ and $\mathbf Q$)");
+  claim.equation(
+      "acceleration_formula", 277,
+      R"($\mathbf a=2\dot\phi\cos\phi\,\mathbf P+(\sin\phi\cos\phi-\ddot\phi)\mathbf Q-(\dot\phi^2+\sin^2\phi)\mathbf R$)",
+      at(
+          cartesian, [](const auto& k) { return k.m.a; }, of_acceleration));
+  claim("acceleration_p", 277, R"($\mathbf a$ has the component $-2t/(1+t^2)^{3/2}$ along $\mathbf P$.)",
+        part_of_acceleration(0), R"($-2t/(1+t^2)^{3/2}$)", R"($\mathbf a\cdot\mathbf P$)");
+  claim(
+      "acceleration_q", 277, R"($\mathbf a$ has the component $-t/(1+t^2)$ along $\mathbf Q$.)",
       {.quantity = R"($\mathbf a\cdot\mathbf Q$)",
        .truth = part_of_acceleration(1),
        .printed = R"($-t/(1+t^2)$)",
@@ -225,24 +190,18 @@ void velocity_and_acceleration(Table& table, const std::vector<Sample>& all) {
            R"($\sin\phi\cos\phi-\ddot\phi=t/(1+t^2)-2t/(1+t^2)^2=t(t^2-1)/(1+t^2)^2$; the printed value forgets the )"
            R"(square in $\ddot\phi$. At $t=2$ it is $@2$, not $@1$; for $|t|>1$ even the sign is wrong.)",
            {At(2.0).a[1], -2 / 5.0})});
-  table.formula("acceleration_r", 277,
-                R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$.)", all,
-                {.quantity = R"($\mathbf a\cdot\mathbf R$)",
-                 .truth = part_of_acceleration(2),
-                 .printed = R"($-(2+t^2)/(1+t^2)^2$)"});
-  table.formula(
-      "distance_from_axis", 285, R"($x^2+y^2=1/(1+t^2)$)", all,
-      {.quantity = R"($x^2+y^2$)",
-       .truth = at("the position", [](const auto& k) { return k.m.r[0] * k.m.r[0] + k.m.r[1] * k.m.r[1]; }),
-       .printed = R"($1/(1+t^2)$)"});
+  claim("acceleration_r", 277, R"($\mathbf a$ has the component $-(2+t^2)/(1+t^2)^2$ along $\mathbf R$.)",
+        part_of_acceleration(2), R"($-(2+t^2)/(1+t^2)^2$)", R"($\mathbf a\cdot\mathbf R$)");
+  claim.equation("distance_from_axis", 285, R"($x^2+y^2=1/(1+t^2)$)",
+                 at("the position", [](const auto& k) { return k.m.r[0] * k.m.r[0] + k.m.r[1] * k.m.r[1]; }));
 }
 
 /// `later` has only times above zero.
 void height(Table& table, const std::vector<Sample>& later) {
   const std::string others = R"(,\ \sqrt{t^2/(1+t^2)},\ \sqrt{1-1/(1+t^2)})$)";
-  table.formula(
+  table.over(later)(
       "height_rewritten", 287,
-      R"($t\,\sqrt{1+t^2}=\sqrt{t^2/(1+t^2)}=\sqrt{1-1/(1+t^2)}$ on the way to infinity)", later,
+      R"($t\,\sqrt{1+t^2}=\sqrt{t^2/(1+t^2)}=\sqrt{1-1/(1+t^2)}$ on the way to infinity)",
       {.quantity = "$z$, for $t>0$",
        .truth = at(
            "the position", [](const auto& k) { return k.m.r[2]; },
@@ -336,39 +295,12 @@ std::vector<Root> roots() {
               {-2 / 5.0, At(2.0).a[1]})}};
 }
 
-constexpr const char* by_helix = R"(
-  rewrite <- ?(Rsqr_pow2 t); unfold Rsqr; helix t; helix_roots t q circle square; helix_angles t q circle square inside;
-  field [circle square]; repeat split; nra)";
-
-/// Beyond t = 1/eps, 1/q is below eps.
-constexpr const char* by_distance = R"(
-  intros; exists (/ eps); intros t far;
-  assert (early : 0 < / eps) by (apply Rinv_0_lt_compat; lra);
-  helix t;
-  assert (longer : t < q) by nra;
-  assert (close : / q < eps)
-    by (rewrite <- (Rinv_inv eps); apply Rinv_lt_contravar; [apply Rmult_lt_0_compat |]; lra);
-  helix_roots t q circle square;
-  first
-    [ rewrite Rminus_0_r, Rabs_pos_eq; lra
-    | assert (1 - t / q < / q)
-        by (apply Rmult_lt_reg_r with q; trivial; replace ((1 - t / q) * q) with (q - t) by (field; lra);
-            rewrite Rinv_l by lra; nra);
-      rewrite Rabs_left1; lra ])";
-
-/// Rewrites the angles of an example with functions for which the tactic has bounds.
-constexpr const char* by_bounds = R"(
-  rewrite ?cos_atan2, ?sin_atan2 by interval;
-  try (unfold atan2; destruct (Rle_dec _ _) as [| below]; [| contradict below; apply sqrt_pos];
-       rewrite !acos_atan by interval);
-  interval)";
-
 Provables proofs_of_limits() {
   const Vector<Shortened> r = helix(Shortened::letter("t"));
   const auto tends = [](const char* name, const Shortened& f, const Shortened& limit) {
     return Lemma{.name = name,
                  .follows = {tends_at_infinity(f.expression(), limit.expression())},
-                 .tactic = by_distance};
+                 .tactic = "by_distance"};
   };
   return {{"2.3-distance_vanishes", "the limit is 0", {tends("printed", from_axis(r), 0)}},
           {"2.3-height_limit", "the limit is 1", {tends("printed", z(r), 1)}},
@@ -383,21 +315,14 @@ Provables proofs() {
   angles(table, {});
   velocity_and_acceleration(table, {});
   height(above_zero, {});
-  ForAll<SampleOf> all{.any = lettered<SampleOf>({"t"}),
-                       .letters = "(t : R)",
-                       .tactic = by_helix,
-                       .says = "it holds at all times",
-                       .example = {0.5}};
+  auto all = for_all<SampleOf>({"t"}, "by_helix t", "it holds at all times", {0.5});
+  all.bounds = "by_bounds";
   Provables proved = table.proofs("2.3", all);
-  all.given = {above(all.any.t.expression(), 0)};
+  all.given = positive({all.any.t});
   all.says += " above zero";
-  std::ranges::move(above_zero.proofs("2.3", all), std::back_inserter(proved));
-  std::ranges::move(proofs_of_limits(), std::back_inserter(proved));
-  for (Provable& p : proved) {
-    p.preamble = coq_source({"helix"});
-    for (Lemma& lemma : p.lemmas)
-      if (lemma.tactic == "interval") lemma.tactic = by_bounds;
-  }
+  append(proved, above_zero.proofs("2.3", all));
+  append(proved, proofs_of_limits());
+  for (Provable& p : proved) p.preamble = coq_source({"helix"});
   return proved;
 }
 
