@@ -2,10 +2,7 @@
 
 #include "chapters/provable_claims.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <type_traits>
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
 #include "chapters/02_basic_concepts/shared/limit_proofs.hpp"
@@ -272,9 +269,10 @@ void ends(Claims& claims) {
 
 std::vector<Claim> claims(double seed) {
   Random random(seed);
-  std::vector<Sample> all{{0.75}, {-0.75}, {0}, {50}, {-50}}, later;
+  std::vector<Sample> all{{0.75}, {-0.75}, {0}, {50}, {-50}};
   for (int i = 0; i < 200; ++i) all.push_back({i % 2 ? random.between(-50, 50) : random.magnitude(1e-3, 50)});
-  std::ranges::copy_if(all, std::back_inserter(later), [](const Sample& s) { return s.t > 0; });
+  std::vector<Sample> later = all;
+  std::erase_if(later, [](const Sample& s) { return s.t <= 0; });
   Claims claims("2.3");
   Table table(claims);
   angles(table, all);
