@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "chapters/02_basic_concepts/shared/vectors.hpp"
@@ -355,8 +354,11 @@ struct ConeSampleOf {
   }
   std::string where() const { return listed({{"h", h()}, {"r", r()}}, 2) + ", " + motion.where(); }
   TypesetIn<T> typeset() const {
-    TypesetIn<T> all{{"m", mass()}, {"h", h()},        {"r", r()},
-                     {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}};
+    return with_motion(
+        {{"m", mass()}, {"h", h()}, {"r", r()}, {"z", height}, {"I_{xx}", Ixx()}, {"I_{zz}", Izz()}});
+  }
+  /// These letters, and those of the motion but m and L.
+  TypesetIn<T> with_motion(TypesetIn<T> all) const {
     for (const auto& letter : typeset_of(motion))
       if (letter.first != "m" && letter.first != "L") all.push_back(letter);
     return all;
@@ -713,10 +715,7 @@ struct SwingingOf : ConeSampleOf<T> {
   double size() const { return this->motion.size(); }
   Tolerance tolerance(double) const { return rounding(size(), 512); }
   TypesetIn<T> typeset() const {
-    TypesetIn<T> all{{"K", this->cone.L() * this->cone.equivalent_length()}, {"L", this->cone.L()}};
-    for (const auto& letter : typeset_of(this->motion))
-      if (letter.first != "m" && letter.first != "L") all.push_back(letter);
-    return all;
+    return this->with_motion({{"K", this->cone.L() * this->cone.equivalent_length()}, {"L", this->cone.L()}});
   }
 };
 
