@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <iterator>
 #include <numbers>
 #include <span>
 #include <stdexcept>
@@ -863,7 +862,7 @@ void solved_numerically(Claims& claims, double seed) {
   };
   std::vector<Turned> any = all;
   any.emplace_back(random, earths_eccentricity);
-  std::ranges::copy(comets, std::back_inserter(any));
+  any.insert(any.end(), comets.begin(), comets.end());
   claims.statement<Turned>(
       "direct_solution", 47,
       R"(A solver that is given (3.1), $\ddot{\mathbf r}=-GM\,\mathbf r/r^3$, directly will likely have severe problems with stability.)",
@@ -889,7 +888,7 @@ void solved_numerically(Claims& claims, double seed) {
            {static_cast<double>(all.size()), most, steps, lost(all), static_cast<double>(comets.size()),
             comets_from, comets_to, lost(comets)})});
   std::vector<Turned> to_close = all;
-  std::ranges::copy(close, std::back_inserter(to_close));
+  to_close.insert(to_close.end(), close.begin(), close.end());
   claims.statement<Turned>(
       "stable_reformulation", 47,
       filled(
