@@ -65,7 +65,9 @@ struct MotionOf : Given<T> {
   T t;
   using Given<T>::m, Given<T>::c, Given<T>::a, Given<T>::p1, Given<T>::p2, Given<T>::v1, Given<T>::v2;
 
-  std::array<T*, 8> letters() { return {&m, &c, &a, &p1, &p2, &v1, &v2, &t}; }
+  Letters<T> table() {
+    return {{"m", m}, {"c", c}, {"a", a}, {"p_1", p1}, {"p_2", p2}, {"v_1", v1}, {"v_2", v2}, {"t", t}};
+  }
   Two<T> p() const { return {p1, p2}; }
   Two<T> v() const { return {v1, v2}; }
   T alpha() const { return -a / (2 * m); }
@@ -81,19 +83,10 @@ struct MotionOf : Given<T> {
       else
         return Two<T>{solution(t)[0].value, solution(t)[1].value};
     }();
-    TypesetIn<T> all{
-        {"m", m},      {"c", c},     {"a", a},    {"t", t},    {R"(\alpha)", alpha()}, {R"(\beta)", beta()},
-        {"p_1", p1},   {"p_2", p2},  {"v_1", v1}, {"v_2", v2}, {"k_1", k()[0]},        {"k_2", k()[1]},
-        {"x_1", x[0]}, {"x_2", x[1]}};
-    for (const auto& [name, pair] : {std::pair{"p", p()},
-                                     {"v", v()},
-                                     {"x", p()},
-                                     {R"(\dot x)", v()},
-                                     {R"(\ddot x)", rates},
-                                     {"K_1", p()},
-                                     {"K_2", k()}})
-      all.emplace_back(name, pair);
-    return all;
+    return {
+        {R"(\alpha)", alpha()}, {R"(\beta)", beta()}, {"k_1", k()[0]}, {"k_2", k()[1]}, {"x_1", x[0]},
+        {"x_2", x[1]},          {"p", p()},           {"v", v()},      {"x", p()},      {R"(\dot x)", v()},
+        {R"(\ddot x)", rates},  {"K_1", p()},         {"K_2", k()}};
   }
   /// The solutions' coordinates and their rates.
   Two<Dual<T>> solution(const T& time) const {
@@ -283,14 +276,16 @@ struct AtZeroOf {
 };
 using AtZero = AtZeroOf<double>;
 
-/// The claims with proofs.
 struct Tables {
-  ProvableClaims<MotionOf> motion;
-  ProvableClaims<InLineOf> in_line;
-  ProvableClaims<PolynomialOf> polynomial;
-  ProvableClaims<AtZeroOf> zeros;
-
-  explicit Tables(Claims& claims) : motion(claims), in_line(claims), polynomial(claims), zeros(claims) {}
+  Claims& all;
+  std::vector<Motion> motions = {};
+  std::vector<InLine> motions_in_line = {};
+  std::vector<Polynomial> polynomials = {};
+  std::vector<AtZero> at_zeros = {};
+  ProvableClaims<MotionOf> motion{all};
+  ProvableClaims<InLineOf> in_line{all};
+  ProvableClaims<PolynomialOf> polynomial{all};
+  ProvableClaims<AtZeroOf> zeros{all};
 };
 
 template <template <class> class Of>
@@ -300,6 +295,7 @@ const std::string of_zero = "a factor of zero may have any size and sign";
 // ---- texts ------------------------------------------------------------------------------------------------
 
 const std::string
+
     two_exponentials = "$K_1e^{r_1t}+K_2e^{r_2t}$",
     damped_oscillation = R"(e^{\alpha t}\left(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\right))",
     as_cotangent = R"($t=\frac1\beta\left(\frac\pi2+\tan^{-1}\frac{v_1-\alpha p_1}{\beta p_1}\right)$)",
@@ -309,30 +305,26 @@ const std::string
 
 // ---- the equation and its solutions -----------------------------------------------------------------------
 
-void equations(ProvableClaims<MotionOf>& table, const std::vector<Motion>& samples) {
-  table.formula(
-      "generalized_forces", 1439,
-      R"(The generalized forces of spring and friction are $-cx-a\dot x$ for each coordinate)", samples,
-      {.quantity = R"($(F_{x_1},F_{x_2})$)",
-       .truth = {"the spring's potential and Rayleigh's dissipation by dual numbers",
-                 [](const auto& s) {
-                   const auto spring = df_dq(s.energy(s.m, s.c), s.p(), s.v()), slowing = s.friction();
-                   return values(spring[0] + slowing[0], spring[1] + slowing[1]);
-                 }},
-       .printed = R"($-cx-a\dot x$)"});
-  table.formula("equations", 1449, R"(Each coordinate obeys $m\ddot x+a\dot x+cx=0$)", samples,
-                {.quantity = R"($m\ddot x+a\dot x+cx$, the accelerations by Lagrange's equations)",
-                 .truth = zero<MotionOf>,
-                 .printed = R"($m\ddot x+a\dot x+cx=0$)",
-                 .changes_that_hold = of_zero});
+void equations(Tables& tables) {
+  const auto claim = tables.motion.over(tables.motions);
+  claim("generalized_forces", 1439,
+        R"(The generalized forces of spring and friction are $-cx-a\dot x$ for each coordinate)",
+        {"the spring's potential and Rayleigh's dissipation by dual numbers",
+         [](const auto& s) {
+           const auto spring = df_dq(s.energy(s.m, s.c), s.p(), s.v()), slowing = s.friction();
+           return values(spring[0] + slowing[0], spring[1] + slowing[1]);
+         }},
+        R"($-cx-a\dot x$)", R"($(F_{x_1},F_{x_2})$)");
+  claim("equations", 1449, R"(Each coordinate obeys $m\ddot x+a\dot x+cx=0$)", zero<MotionOf>,
+        R"($m\ddot x+a\dot x+cx=0$)", R"($m\ddot x+a\dot x+cx$, the accelerations by Lagrange's equations)",
+        of_zero);
 }
 
-void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector<Polynomial>& polynomials) {
-  using OfPolynomial = ProvableFormula<PolynomialOf>;
-  table.formula(
+void characteristic_roots(Tables& tables) {
+  const auto claim = tables.polynomial.over(tables.polynomials);
+  claim(
       "characteristic_polynomial", 1453,
       "The characteristic polynomial is $mr^2+ar+{}=0$ (our reading of the dangling plus: nothing follows it)",
-      polynomials,
       {.quantity = "the polynomial at any $r$",
        .truth = {R"($e^{-rt}(m\ddot x+a\dot x+cx)$ of $x=e^{rt}$, by dual numbers)",
                  [](const auto& s) { return s.of_exponential(); }},
@@ -340,17 +332,16 @@ void characteristic_roots(ProvableClaims<PolynomialOf>& table, const std::vector
        .meant = "$mr^2+ar+c$",
        .kind = Fault::formula,
        .why = "The last coefficient, $c$, is missing after its plus sign; the roots that follow show it."});
-  const auto roots_with = [](std::string text, double factor) -> OfPolynomial {
+  const auto roots_with = [](std::string text, double factor) -> ProvableFormula<PolynomialOf> {
     return {std::move(text), [=](const auto& s) { return s.sum_and_product(factor); },
             [](const Polynomial& s) { return s.a * s.a / (s.m * s.m) + 1; }};
   };
-  table.formula("roots", 1455,
-                R"(The roots of the characteristic polynomial are $(-a\pm\sqrt{a^2-4mc})/(2m)$)", polynomials,
-                {.quantity = "the roots' sum and product, real and imaginary parts",
-                 .truth = {"the coefficients: $-a/m$ and $c/m$, both real",
-                           [](const auto& s) { return values(-s.a / s.m, s.c / s.m, 0, 0); }},
-                 .printed = roots_with(R"(of $(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
-                 .near_misses = {roots_with(R"(of $(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
+  claim("roots", 1455, R"(The roots of the characteristic polynomial are $(-a\pm\sqrt{a^2-4mc})/(2m)$)",
+        {.quantity = "the roots' sum and product, real and imaginary parts",
+         .truth = {"the coefficients: $-a/m$ and $c/m$, both real",
+                   [](const auto& s) { return values(-s.a / s.m, s.c / s.m, 0, 0); }},
+         .printed = roots_with(R"(of $(-a\pm\sqrt{a^2-4mc})/(2m)$)", 4),
+         .near_misses = {roots_with(R"(of $(-a\pm\sqrt{a^2-2mc})/(2m)$)", 2)}});
 }
 
 void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed) {
@@ -362,8 +353,7 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
                  off = std::hypot(s.m * (re * re - im * im) + s.a * re + s.c, (2 * s.m * re + s.a) * im);
     return off <= rounding(terms).allowed && re < 0 && (im == 0) == (s.a * s.a - 4 * s.m * s.c >= 0);
   };
-  Polynomial& double_root = polynomials.emplace_back();
-  double_root.m = 1, double_root.c = double_root.a = 4;
+  polynomials.push_back({1, 4, 4, 0, 0});  // a double root
   claims.statement<Polynomial>(
       "negative_roots", 1461,
       R"(Both roots are real and negative when $a^2-4mc\ge0$, and complex with negative real parts when )"
@@ -380,8 +370,8 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
             }};
   };
   std::vector<Strong> balls = strong(seed);
-  claims.formula<Strong>(
-      "two_exponentials", 1469, "The general solution for real roots is $x=K_1e^{r_1t}+K_2e^{r_2t}$", balls,
+  claims.over(balls)(
+      "two_exponentials", 1469, "The general solution for real roots is $x=K_1e^{r_1t}+K_2e^{r_2t}$",
       {.quantity = "$x$, $K_1$ and $K_2$ by $x(0)=p$ and $\\dot x(0)=v$",
        .truth = {series, [](const Strong& s) { return by_equation(s, s.t)[0]; }},
        .printed = {two_exponentials},
@@ -392,10 +382,9 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
        .near_misses = {two_forms(R"($(p+vt)\,e^{rt}$ for a double root $r$)", 0)},
        .root = "the double root",
        .why =
-           R"(Case 1 includes $a^2=4mc$, where both exponentials are the same function: two starting values )"
-           R"(cannot be met, as solving for $K_1$ and $K_2$ divides by $r_1-r_2=0$. With roots that differ by )"
-           R"(very little the two exponentials are still right, but they are large and of opposite sign, and )"
-           R"(their sum loses digits (see `near_critical`).)"});
+           R"(Case 1 includes $a^2=4mc$, where both exponentials are the same function: solving for $K_1$ and )"
+           R"($K_2$ divides by $r_1-r_2=0$. With nearly equal roots they are right, but large and of opposite )"
+           R"(sign, and their sum loses digits (see `near_critical`).)"});
 
   balls.pop_back();
   for (Strong& s : balls) s.t = -40 / s.r1;
@@ -407,11 +396,10 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
       {.printed = {"$|K_1e^{r_1t}+K_2e^{r_2t}|<10^{-12}$"},
        .near_misses = {{"$|K_1e^{-r_1t}+K_2e^{r_2t}|<10^{-12}$"}}});
 
-  const auto passes_once = [](std::string text, double Strong::*root, bool inverse) -> Statement<Strong> {
+  const auto passes_once = [](std::string text, double Strong::*root, int sign) -> Statement<Strong> {
     return {std::move(text), [=](const Strong& s) {
               const bool passes = s.v1 < s.*root * s.p1;
-              const double time = s.passage();
-              return s.passages() == (passes ? 1 : 0) && (!passes || s.passes_at(inverse ? -time : time));
+              return s.passages() == passes && (!passes || s.passes_at(sign * s.passage()));
             }};
   };
   claims.statement<Strong>(
@@ -423,16 +411,15 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
        .corrected = passes_once(
            R"(with $v=-up$, $p\ne0$, the ball passes the origin once for $u>|r_2|$, at )"
            R"($e^{(r_1-r_2)t}=-K_2/K_1$, or at $t=1/(u+r)$ for a double root $r$, and else never)",
-           &Strong::r2, false),
-       .near_misses = {passes_once("at $e^{(r_1-r_2)t}=-K_1/K_2$", &Strong::r2, true),
-                       passes_once("once for $u>|r_1|$, else never", &Strong::r1, false)},
+           &Strong::r2, 1),
+       .near_misses = {passes_once("at $e^{(r_1-r_2)t}=-K_1/K_2$", &Strong::r2, -1),
+                       passes_once("once for $u>|r_1|$, else never", &Strong::r1, 1)},
        .kind = Fault::counterexample,
        .root = "a fast throw",
        .why = filled(
-           R"(With $p$ and $v$ parallel both coordinates vanish together once if $v$ points to the origin and )"
-           R"($|v|>|r_2||p|$. For $m=@1$, $c=@1$, $a=@1$ the roots are $@1$ and $@1$; from $p$ with $v=@1p$, )"
-           R"($x=(K_1e^{r_1t}+K_2e^{r_2t})\,p$ with $K_1=@3$ and $K_2=@3$ is zero at )"
-           R"($t=\ln(-K_2/K_1)/(r_1-r_2)=@3$.)",
+           R"(The ball passes if $v$ points to the origin and $|v|>|r_2||p|$. For $m=@1$, $c=@1$, $a=@1$ the )"
+           R"(roots are $@1$ and $@1$; from $p$ with $v=@1p$, $x=(K_1e^{r_1t}+K_2e^{r_2t})\,p$ with $K_1=@3$ )"
+           R"(and $K_2=@3$ is zero at $t=\ln(-K_2/K_1)/(r_1-r_2)=@3$.)",
            {throw_in.m, throw_in.c, throw_in.a, throw_in.r1, throw_in.r2, throw_in.v1 / throw_in.p1,
             throw_in.k1 / throw_in.p1, throw_in.k2 / throw_in.p1, throw_in.passage()})});
 
@@ -453,52 +440,40 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
            R"(the spring draws the ball through honey. The rate of decay is greatest at $a=2\sqrt{mc}$.)"});
 }
 
-void oscillations(Claims& claims, ProvableClaims<MotionOf>& table, const std::vector<Motion>& samples) {
-  table.formula("derivative", 1487,
-                R"($\dot x=e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t)+\alpha e^{\alpha )"
-                R"(t}(K_1\cos\beta t+K_2\sin\beta t)$)",
-                samples,
-                {.quantity = R"(the derivative of $x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
-                 .truth = {"$x$ by dual numbers",
-                           [](const auto& s) {
-                             const auto [x1, x2] = s.solution(s.t);
-                             return values(x1.slope, x2.slope);
-                           }},
-                 .printed = R"($e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
-                            R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)"});
-  table.formula("start_values", 1489,
-                R"($x(0)=p$ and $\dot x(0)=v$ lead to $p=K_1$, $v=\beta K_2+\alpha K_1$)", samples,
-                {.quantity = R"($(x(0),\dot x(0))$)",
-                 .truth = {"$x$ by dual numbers",
-                           []<class T>(const MotionOf<T>& s) {
-                             const auto [x1, x2] = s.solution(T(0));
-                             return values(x1.value, x2.value, x1.slope, x2.slope);
-                           }},
-                 .printed = R"($(K_1,\ \beta K_2+\alpha K_1)$)"});
-  table.formula("constants", 1489,
-                R"(The solution of $p=K_1$, $v=\beta K_2+\alpha K_1$ is $K_1=p$, $K_2=(v-\alpha p)/\beta$)",
-                samples,
-                {.quantity = "$(K_1,K_2)$",
-                 .truth = {R"(the equations $x(0)=p$, $\dot x(0)=v$, by dual numbers)",
-                           []<class T>(const MotionOf<T>& s) {
-                             const Dual<T> start(T(0), T(1));
-                             const auto c = oscillation(s.alpha(), s.beta(), T(1), T(0), start),
-                                        w = oscillation(s.alpha(), s.beta(), T(0), T(1), start);
-                             const T determinant = c.value * w.slope - w.value * c.slope;
-                             return values((s.p1 * w.slope - w.value * s.v1) / determinant,
-                                           (s.p2 * w.slope - w.value * s.v2) / determinant,
-                                           (c.value * s.v1 - s.p1 * c.slope) / determinant,
-                                           (c.value * s.v2 - s.p2 * c.slope) / determinant);
-                           }},
-                 .printed = R"($(p,\ (v-\alpha p)/\beta)$)"});
-  claims.formula<Motion>(
+void oscillations(Tables& tables) {
+  const auto claim = tables.motion.over(tables.motions);
+  claim.equation("derivative", 1487,
+                 R"($\dot x=e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
+                 R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
+                 {R"($x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$ by dual numbers)", [](const auto& s) {
+                    const auto [x1, x2] = s.solution(s.t);
+                    return values(x1.slope, x2.slope);
+                  }});
+  claim("start_values", 1489, R"($x(0)=p$ and $\dot x(0)=v$ lead to $p=K_1$, $v=\beta K_2+\alpha K_1$)",
+        {"$x$ by dual numbers",
+         []<class T>(const MotionOf<T>& s) {
+           const auto [x1, x2] = s.solution(T(0));
+           return values(x1.value, x2.value, x1.slope, x2.slope);
+         }},
+        R"($(K_1,\ \beta K_2+\alpha K_1)$)", R"($(x(0),\dot x(0))$)");
+  claim("constants", 1489,
+        R"(The solution of $p=K_1$, $v=\beta K_2+\alpha K_1$ is $K_1=p$, $K_2=(v-\alpha p)/\beta$)",
+        {R"(the equations $x(0)=p$, $\dot x(0)=v$, by dual numbers)",
+         []<class T>(const MotionOf<T>& s) {
+           const Dual<T> start(T(0), T(1));
+           const auto c = oscillation(s.alpha(), s.beta(), T(1), T(0), start),
+                      w = oscillation(s.alpha(), s.beta(), T(0), T(1), start);
+           const T determinant = c.value * w.slope - w.value * c.slope;
+           const auto k1 = [&](const T& p, const T& v) { return (p * w.slope - w.value * v) / determinant; };
+           const auto k2 = [&](const T& p, const T& v) { return (c.value * v - p * c.slope) / determinant; };
+           return values(k1(s.p1, s.v1), k1(s.p2, s.v2), k2(s.p1, s.v1), k2(s.p2, s.v2));
+         }},
+        R"($(p,\ (v-\alpha p)/\beta)$)", "$(K_1,K_2)$");
+  tables.all.over(tables.motions)(
       "damped_oscillation", 1491,
       R"(For complex roots $x=e^{\alpha t}\big(p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t\big)$, )"
       R"(with $\alpha=-a/(2m)$ and $\beta=\sqrt{4mc-a^2}/(2m)$)",
-      samples,
-      {.quantity = "$x$",
-       .truth = {series, [](const Motion& s) { return by_equation(s, s.t); }},
-       .printed = {"$" + damped_oscillation + "$"}});
+      {series, [](const Motion& s) { return by_equation(s, s.t); }}, {"$" + damped_oscillation + "$"}, "$x$");
 }
 
 // ---- the arrival ------------------------------------------------------------------------------------------
@@ -525,7 +500,7 @@ struct Start {
     if (abs(across) > rounding(terms).allowed) return;
     motion.t = high, known = rounding(high + terms / abs(along(high).rate));
   }
-  TypesetLetters typeset() const { return motion.typeset(); }
+  TypesetLetters typeset() const { return typeset_of(motion); }
   Tolerance tolerance(double) const { return known; }
 };
 /// The ball of the examples, with little friction.
@@ -547,134 +522,113 @@ std::vector<Start> in_all_directions(double seed) {
   return all;
 }
 
-void parallel(Tables& tables, const std::vector<Motion>& samples, const std::vector<InLine>& in_line) {
-  tables.motion.formula(
+void parallel(Tables& tables) {
+  const auto claim = tables.motion.over(tables.motions);
+  const auto in_line = tables.in_line.over(tables.motions_in_line);
+  claim(
       "parallel", 1515,
       R"($p$ and $(v-\alpha p)/\beta$ are parallel exactly when $p$ and $v$ are, as the products of both pairs )"
       R"(differ by the factor $\beta\ne0$ alone (the text's parenthesis does not close))",
-      samples,
-      {.quantity = R"($\beta$ times the vectors' product)",
-       .truth = {R"($\beta\,p\times(v-\alpha p)/\beta$)",
-                 [](const auto& s) { return s.beta() * s.product_of_p_and_k(); }},
-       .printed = "$p_1v_2-p_2v_1$"});
-  tables.in_line.formula(
-      "one_equation", 1515,
-      R"(With complex roots, and $p$ and $v$ parallel, the two conditions are one equation: the pairs )"
-      R"($(p_i,\ (v_i-\alpha p_i)/\beta)$ of $i=1$ and 2 are parallel)",
-      in_line,
-      {.quantity = R"(the pairs' product)",
-       .truth = zero<InLineOf>,
-       .printed = R"($p_1\frac{v_2-\alpha p_2}\beta-p_2\frac{v_1-\alpha p_1}\beta=0$)",
-       .changes_that_hold = of_zero});
-  tables.in_line.formula(
+      {R"($\beta\,p\times(v-\alpha p)/\beta$)",
+       [](const auto& s) { return s.beta() * s.product_of_p_and_k(); }},
+      "$p_1v_2-p_2v_1$", R"($\beta$ times the vectors' product)");
+  in_line("one_equation", 1515,
+          R"(With complex roots, and $p$ and $v$ parallel, the two conditions are one equation: the pairs )"
+          R"($(p_i,\ (v_i-\alpha p_i)/\beta)$ of $i=1$ and 2 are parallel)",
+          zero<InLineOf>, R"($p_1\frac{v_2-\alpha p_2}\beta-p_2\frac{v_1-\alpha p_1}\beta=0$)",
+          R"(the pairs' product)", of_zero);
+  in_line(
       "pulled_directly", 1525,
-      R"(With complex roots, and $p$ and $v$ parallel, the ball is pulled directly to the )"
-      R"(origin (our reading: it stays on the line through $p$ and the origin))",
-      in_line,
-      {.quantity = R"($x\times p$ at any time, $x$ by the equation's Taylor series)",
-       .truth = zero<InLineOf>,
-       .printed = "$x_1p_2-x_2p_1=0$",
-       .changes_that_hold = of_zero});
-  tables.motion.formula(
-      "both_zero_parallel", 1541,
-      R"(Where both coordinates are zero, $p$ and $(v-\alpha p)/\beta$ are parallel (the text has `beta` )"
-      R"(for the letter))",
-      samples,
-      {.quantity = R"($p_1k_2-p_2k_1$, $k=(v-\alpha p)/\beta$)",
-       .truth = {"the vectors' product", [](const auto& s) { return s.product_of_p_and_k(); }},
-       .printed = R"($(p_1\cos\beta t+k_1\sin\beta t)(k_2\cos\beta t-p_2\sin\beta t))"
-                  R"(-(p_2\cos\beta t+k_2\sin\beta t)(k_1\cos\beta t-p_1\sin\beta t)$)"});
-  tables.motion.formula(
+      "With complex roots, and $p$ and $v$ parallel, the ball is pulled directly to the origin (our reading: it "
+      "stays on the line through $p$ and the origin)",
+      zero<InLineOf>, "$x_1p_2-x_2p_1=0$", R"($x\times p$ at any time, $x$ by the equation's Taylor series)",
+      of_zero);
+  claim("both_zero_parallel", 1541,
+        R"(Where both coordinates are zero, $p$ and $(v-\alpha p)/\beta$ are parallel (the text has `beta` )"
+        R"(for the letter))",
+        {"the vectors' product", [](const auto& s) { return s.product_of_p_and_k(); }},
+        R"($(p_1\cos\beta t+k_1\sin\beta t)(k_2\cos\beta t-p_2\sin\beta t))"
+        R"(-(p_2\cos\beta t+k_2\sin\beta t)(k_1\cos\beta t-p_1\sin\beta t)$)",
+        R"($p_1k_2-p_2k_1$, $k=(v-\alpha p)/\beta$)");
+  claim(
       "not_parallel_never", 1541,
       R"(With complex roots, and $p$ and $v$ not parallel, the ball never reaches the origin in finite time )"
       R"((our check: $x_1\dot x_2-x_2\dot x_1$, which is zero there, is $e^{-at/m}(p_1v_2-p_2v_1)\ne0$))",
-      samples,
-      {.quantity = R"($x_1\dot x_2-x_2\dot x_1$ at $t$)",
-       .truth = {"the closed form, differentiated by dual numbers",
-                 [](const auto& s) {
-                   const auto [x1, x2] = s.solution(s.t);
-                   return x1.value * x2.slope - x2.value * x1.slope;
-                 }},
-       .printed = "$e^{-at/m}(p_1v_2-p_2v_1)$"});
+      {"the closed form, differentiated by dual numbers",
+       [](const auto& s) {
+         const auto [x1, x2] = s.solution(s.t);
+         return x1.value * x2.slope - x2.value * x1.slope;
+       }},
+      "$e^{-at/m}(p_1v_2-p_2v_1)$", R"($x_1\dot x_2-x_2\dot x_1$ at $t$)");
 }
 
-void at_zeros(ProvableClaims<AtZeroOf>& table, const std::vector<AtZero>& samples) {
-  table.formula(
+void at_zeros(Tables& tables) {
+  const auto claim = tables.zeros.over(tables.at_zeros);
+  claim(
       "arrival_conditions", 1501,
       R"(With complex roots the ball is at the origin where $p_i\cos\beta t+\frac{v_i-\alpha p_i}\beta\sin\beta t=0$ )"
       R"(for $i=1$ and 2, as the exponential is not zero for finite time)",
-      samples,
-      {.quantity = "either left side, named the first, where the integrated motion is at the origin",
-       .truth = zero<AtZeroOf>,
-       .printed = R"($p_1\cos\beta t+\frac{v_1-\alpha p_1}\beta\sin\beta t=0$)",
-       .changes_that_hold = of_zero});
+      zero<AtZeroOf>, R"($p_1\cos\beta t+\frac{v_1-\alpha p_1}\beta\sin\beta t=0$)",
+      "either left side, named the first, where the integrated motion is at the origin", of_zero);
   const Motion b = weak(1, 0, 0, 0).motion;
-  table.formula(
+  claim(
       "dot_product", 1531,
       R"(Where $x_1$ is zero, $(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$ (the text has $i$ )"
       R"(for 1 and 2))",
-      samples,
       {.quantity = R"(the pair's product with $(\cos\beta t,\ \sin\beta t)$)",
        .truth = zero<AtZeroOf>,
        .printed = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ v_1-\alpha p_1\beta)=0$)",
        .meant = R"($(\cos\beta t,\ \sin\beta t)\cdot(p_1,\ (v_1-\alpha p_1)/\beta)=0$)",
        .changes_that_hold = of_zero,
        .why = filled(
-           "The fraction bar is lost in the text at hand, here and in line 1537; lines 1505 and 1511 show "
-           "it. For $m=@1$, $c=@1$, $a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the "
-           "product.",
+           "The fraction bar is lost here and in line 1537; lines 1505 and 1511 show it. For $m=@1$, $c=@1$, "
+           "$a=@1$ and $p=@1$ at rest the pair is $(@1,@2)$, and $(@1,@2)$ with the product.",
            {b.m, b.c, b.a, b.p1, b.p1, -b.alpha() * b.p1 / b.beta(), b.p1, -b.alpha() * b.p1 * b.beta()})});
-  table.formula(
+  claim(
       "turned_pair", 1537,
       R"(Where $x_1$ is zero, $(p_1,\ (v_1-\alpha p_1)/\beta)=\lambda_1(-\sin\beta t,\ \cos\beta t)$ (the text has $i$ )"
       R"(for 1 and 2))",
-      samples,
       {.quantity = "the pair",
        .truth = {R"($\lambda_1(-\sin\beta t,\ \cos\beta t)$, $\lambda_1=\dot x_1/(\beta e^{\alpha t})$)",
                  [](const auto& s) { return s.turned(); }},
        .printed = R"($(p_1,\ v_1-\alpha p_1\beta)$)",
        .meant = R"($(p_1,\ (v_1-\alpha p_1)/\beta)$)",
-       .why =
-           "The fraction bar is lost in the text at hand, here and in line 1531; lines 1505 and 1511 show it."});
+       .why = "The fraction bar is lost here and in line 1531; lines 1505 and 1511 show it."});
 }
 
 void arrivals(Claims& claims, double seed) {
   const std::vector<Start> directions = in_all_directions(seed);
-  std::vector<Start> aslant;  // all but those where the first coordinate is zero for ever
-  std::ranges::copy_if(directions, std::back_inserter(aslant),
-                       [](const Start& s) { return s.motion.p1 != 0; });
+  const auto moves_along_1 = [](const Start& s) { return s.motion.p1 != 0; };
+  std::vector<Start> aslant;
+  std::ranges::copy_if(directions, std::back_inserter(aslant), moves_along_1);
   const Formula<Start> integrated{"the integrated motion's first sign change along $p$, by Brent-Dekker",
                                   [](const Start& s) { return s.motion.t; }};
   const std::string when = "first time at the origin";
-  claims.formula<Start>(
+  claims.over(directions)(
       "first_equation_suffices", 1515,
       R"(With complex roots, and $p\ne0$ and $v$ parallel, the first condition can be solved for the time (our )"
       R"(reading: the first $t>0$, by the inverse cotangent))",
-      directions,
       {.quantity = when,
        .truth = integrated,
        .printed = {as_cotangent},
        .corrected = {of_products},
-       .in_view = {"where $p_1$ is not zero", [](const Start& s) { return s.motion.p1 != 0; }},
+       .in_view = {"where $p_1$ is not zero", moves_along_1},
        .root = "the first equation alone",
        .why =
            R"(Where $p_1=v_1=0$ the first condition reads $0=0$ and does not determine the time. With the )"
            R"(products by $p\ne0$ no direction is special.)"});
-  claims.formula<Start>(
+  claims.over(aslant)(
       "arrival_time", 1517,
-      R"(With complex roots, and $p$ and $v$ parallel, $p_1\ne0$, the ball is at the origin at )"
-      R"($t=\frac1\beta\tan^{-1}\frac{-\beta p_1}{v_1-\alpha p_1}$ (our reading: the principal value, and the )"
-      R"(first $t>0$))",
-      aslant,
+      "With complex roots, and $p$ and $v$ parallel, $p_1\\ne0$, the ball is at the origin at " + principal +
+          " (our reading: the principal value, and the first $t>0$)",
       {.quantity = when,
        .truth = integrated,
        .printed = {principal},
        .corrected = {as_cotangent},
        .root = "the arctangent's branch",
        .why =
-           R"(The arctangent's principal value is negative whenever $(v_1-\alpha p_1)/p_1>0$, which includes )"
-           R"(every ball let go at rest or moving away: the formula then names a time before the start. The )"
-           R"(first arrival is $\pi/\beta$ later.)"});
+           R"(The principal value is negative whenever $(v_1-\alpha p_1)/p_1>0$, which includes every ball let )"
+           R"(go at rest or moving away. The first arrival is $\pi/\beta$ later.)"});
   claims.statement<Start>(
       "arrival_quotient", 1517,
       R"(With complex roots, and $p$ and $v$ parallel, $p_1\ne0$, the quotient in the arrival's arctangent is a )"
@@ -689,9 +643,9 @@ void arrivals(Claims& claims, double seed) {
        .kind = Fault::left_out,
        .root = "a zero denominator",
        .why =
-           R"(For $v_1=\alpha p_1$ the denominator is zero: the ball then moves towards the origin just so fast )"
-           R"(that $x$ is a pure cosine except for its decay, and arrives at $t=\pi/(2\beta)$. The inverse )"
-           R"(cotangent $\frac\pi2+\tan^{-1}$ divides by $\beta p_1$, and needs no $\pi/\beta$ to be added either.)"});
+           R"(For $v_1=\alpha p_1$ the denominator is zero: $x$ is a pure cosine except for its decay, and the )"
+           R"(ball arrives at $t=\pi/(2\beta)$. The inverse cotangent $\frac\pi2+\tan^{-1}$ divides by $\beta p_1$, )"
+           R"(and needs no $\pi/\beta$ to be added either.)"});
 
   claims.statement<Start>(
       "finite_time", 1525,
@@ -712,34 +666,28 @@ void arrivals(Claims& claims, double seed) {
        .kind = Fault::counterexample,
        .root = "a ball that turns back",
        .why =
-           R"(With complex roots and $p\ne0$, parallel is enough, in either direction or with $v=0$: a ball that )"
-           R"(moves straight away from the origin turns round and comes back through it.)"});
+           R"(Parallel to $p\ne0$ is enough, in either direction or with $v=0$: a ball that moves straight away )"
+           R"(from the origin turns round and comes back through it.)"});
 }
+
+constexpr auto provable_sections = {equations, characteristic_roots, oscillations, parallel, at_zeros};
 
 std::vector<Claim> claims(double seed) {
   Claims all("3.9");
-  Tables tables(all);
-  std::vector<Motion> samples = motions(seed);
-  const auto polynomials = draw<Polynomial>(300, seed);
-  equations(tables.motion, samples);
-  characteristic_roots(tables.polynomial, polynomials);
-  solutions(all, polynomials, seed);
-  oscillations(all, tables.motion, samples);
-  parallel(tables, samples, in_line(seed));
-  std::vector<AtZero> zeros;
-  for (const Start& start : in_all_directions(seed))
-    for (std::size_t i = 0; i < 2; ++i) {
-      const Motion& x = start.motion;
-      zeros.push_back({x.alpha(), x.beta(), x.p()[i], x.v()[i], x.t, start.known.allowed});
-    }
-  at_zeros(tables.zeros, zeros);
+  Tables tables{all, motions(seed), in_line(seed), draw<Polynomial>(300, seed)};
+  for (const auto& [x, known] : in_all_directions(seed))
+    for (std::size_t i = 0; i < 2; ++i)
+      tables.at_zeros.push_back({x.alpha(), x.beta(), x.p()[i], x.v()[i], x.t, known.allowed});
+  for (auto* section : provable_sections) section(tables);
+  solutions(all, tables.polynomials, seed);
   arrivals(all, seed);
-  for (Motion& s : samples) s.t = -40 / s.alpha();
+  std::vector<Motion> late = tables.motions;
+  for (Motion& s : late) s.t = -40 / s.alpha();
   all.statement<Motion>(
       "infinite_time", 1541,
       R"(With complex roots, and $p$ and $v$ not parallel, the ball reaches the origin in infinite time, since )"
       R"($e^{\alpha t}$ tends to zero for $\alpha<0$ (our check: at $t=40/|\alpha|$))",
-      samples,
+      late,
       {.printed = {"$|" + damped_oscillation + "|<10^{-12}$"},
        .near_misses = {{R"($|p\cos\beta t+\frac{v-\alpha p}\beta\sin\beta t|<10^{-12}$)"}}});
   return all.in_order();
@@ -752,20 +700,16 @@ namespace {
 /// Proofs of the claims on zeros of a coordinate. At the example v = alpha p, so that it is zero at pi/(2
 /// beta).
 Provables proofs_at_zeros(const ProvableClaims<AtZeroOf>& table) {
-  const std::vector<std::string> names{"alpha", "beta", "p", "v", "t"};
-  const auto any = lettered<AtZeroOf>(names);
-  const AtZero example{-1, 2, 1, -1, pi / 4};
-  Provables all = table.proofs("3.9", {any,
-                                       quantified(names),
-                                       {not_zero(any.beta.expression()), any.at(any.t).expression() == 0},
-                                       "first [pairing | turned_pair alpha beta p v t]",
-                                       "it holds wherever a coordinate is zero",
-                                       example});
+  auto zeros =
+      for_all<AtZeroOf>({"alpha", "beta", "p", "v", "t"}, "first [pairing | turned_pair alpha beta p v t]",
+                        "it holds wherever a coordinate is zero", {-1, 2, 1, -1, pi / 4});
+  zeros.given = {not_zero(zeros.any.beta.expression()), zeros.any.at(zeros.any.t).expression() == 0};
+  const AtZeroOf<Shortened> example{-1, 2, 1, -1, pi / 4};
+  Provables all = table.proofs("3.9", zeros);
   for (Provable& proof : all)
     for (Lemma& lemma : proof.lemmas)
       if (lemma.name == "printed_differs")
-        lemma.follows.push_back(
-            near(AtZeroOf<Shortened>{-1, 2, 1, -1, pi / 4}.at(Shortened(pi / 4)).expression(), 0, 1e-10));
+        lemma.follows.push_back(near(example.at(example.t).expression(), 0, 1e-10));
   return all;
 }
 
@@ -776,18 +720,17 @@ Provables proofs_of_arrivals() {
   const auto arrives = [&](const std::string& reading, const std::string& letters, const Proposition& away,
                            const Shortened& time, const std::vector<Two<Shortened>>& starts) -> Lemma {
     Lemma lemma{reading, letters, {positive({one.beta})[0], away}, {}, "arriving beta"};
-    for (const auto& [p, v] : starts)
-      lemma.follows.push_back(AtZeroOf<Shortened>{one.alpha, one.beta, p, v, time}.at(time).expression() ==
-                              0);
+    for (const auto& [p, v] : starts) {
+      const AtZeroOf<Shortened> start{one.alpha, one.beta, p, v, time};
+      lemma.follows.push_back(start.at(time).expression() == 0);
+    }
     for (const Proposition& within : positive({time, pi_of<Shortened>() / one.beta - time}))
       lemma.follows.push_back(within);
     return lemma;
   };
-  const Shortened of_both = recorded_text(of_products, {{R"(\alpha)", one.alpha},
-                                                        {R"(\beta)", one.beta},
-                                                        {"p", {p1, p2}},
-                                                        {"v", {s * p1, s * p2}},
-                                                        {"t", 0}})[0];
+  const TypesetIn<Shortened> in_line{
+      {R"(\alpha)", one.alpha}, {R"(\beta)", one.beta}, {"p", {p1, p2}}, {"v", {s * p1, s * p2}}, {"t", 0}};
+  const Shortened of_both = recorded_text(of_products, in_line)[0];
   const auto both_arrive = [&](const std::string& claim, const std::string& reading) -> Provable {
     return {claim,
             "both coordinates are zero at the corrected time, between 0 and pi/beta",
@@ -797,17 +740,14 @@ Provables proofs_of_arrivals() {
   const auto time = [](const std::string& text, const AtZeroOf<Shortened>& x) -> Shortened {
     return recorded_text(text, x.typeset())[0];
   };
+  const Shortened first = time(principal, {-1, 2, 1, 0, 0});
   return {
       {"3.9-arrival_time",
        "the coordinate is zero at the corrected time, between 0 and pi/beta; the printed one is negative at "
        "an example",
        {arrives("corrected", "(alpha beta p v : R)", not_zero(one.p.expression()), time(as_cotangent, one),
                 {{one.p, one.v}}),
-        {"printed_differs",
-         "",
-         {},
-         {above((-time(principal, {-1, 2, 1, 0, 0})).expression(), 0.5)},
-         "interval"}},
+        {"printed_differs", "", {}, {above((-first).expression(), 0.5)}, "interval"}},
        0.5},
       both_arrive("3.9-first_equation_suffices", "corrected"),
       both_arrive("3.9-finite_time", "printed")};
@@ -818,25 +758,18 @@ Provables proofs_of_solutions() {
   const Shortened m = Shortened::letter("m"), c = Shortened::letter("c"), a = Shortened::letter("a"),
                   p = Shortened::letter("p"), v = Shortened::letter("v"), t = Shortened::letter("t"),
                   root = sqrt(a * a - 4 * m * c), r1 = (-a + root) / (2 * m), r2 = (-a - root) / (2 * m),
-                  k1 = (v - r2 * p) / (r1 - r2), turns = 4 * m * c - a * a;
+                  k1 = (v - r2 * p) / (r1 - r2), turns = 4 * m * c - a * a, alpha = -a / (2 * m),
+                  beta = sqrt(turns) / (2 * m);
   const auto solved = [&](const std::string& name, std::vector<Proposition> given, const std::string& x,
                           const std::string& tactic) -> Lemma {
     const std::string rate = R"(\frac{d}{dt}()" + x + ")",
                       second = R"(\frac{d}{dt}\left()" + rate + R"(\right))";
     const auto value = [&](const std::string& text, const Shortened& time) {
-      return recorded_text("$" + text + "$", {{"m", m},
-                                              {"c", c},
-                                              {"a", a},
-                                              {"p", p},
-                                              {"v", v},
-                                              {"t", time},
-                                              {R"(\dot t)", 1.0},
-                                              {"r_1", r1},
-                                              {"r_2", r2},
-                                              {"K_1", k1},
-                                              {"K_2", p - k1},
-                                              {R"(\alpha)", -a / (2 * m)},
-                                              {R"(\beta)", sqrt(turns) / (2 * m)}})[0];
+      const TypesetIn<Shortened> letters{
+          {"m", m},           {"c", c},    {"a", a},    {"p", p},    {"v", v},        {"t", time},
+          {R"(\dot t)", 1.0}, {"r_1", r1}, {"r_2", r2}, {"K_1", k1}, {"K_2", p - k1}, {R"(\alpha)", alpha},
+          {R"(\beta)", beta}};
+      return recorded_text("$" + text + "$", letters)[0];
     };
     return {name,
             "(m c a p v t : R)",
@@ -846,11 +779,9 @@ Provables proofs_of_solutions() {
             tactic};
   };
   const auto thrown_at = [](const Shortened& time) {
-    return recorded_text(two_exponentials, {{"r_1", -1.0},
-                                            {"r_2", -4.0},
-                                            {"K_1", Shortened(-5) / 3},
-                                            {"K_2", Shortened(8) / 3},
-                                            {"t", time}})[0];
+    const TypesetIn<Shortened> letters{
+        {"r_1", -1.0}, {"r_2", -4.0}, {"K_1", Shortened(-5) / 3}, {"K_2", Shortened(8) / 3}, {"t", time}};
+    return recorded_text(two_exponentials, letters)[0];
   };
   const std::string exponentials = two_exponentials.substr(1, two_exponentials.size() - 2);
   const Expression passing = log(Expression(8) / 5) / 3, late = -thrown_at(1.0);
@@ -886,42 +817,30 @@ Provable proof_of_negative_roots(const ForAll<PolynomialOf>& all) {
           "both parts are as stated for any ball",
           {lemma("real", {square.expression().coq() + " >= 0"},
                  [](const Expression& x) { return x == Expression(0); }),
-           lemma("complex", positive({4 * s.m * s.c - s.a * s.a})[0], not_zero)}};
-}
-
-template <template <class> class Of>
-ForAll<Of> any(const std::vector<std::string>& names, const std::string& tactic) {
-  return {lettered<Of>(names), quantified(names), {}, tactic, "it holds for any ball"};
+           lemma("complex", positive({4 * s.m * s.c - s.a * s.a})[0], not_zero)},
+          0,
+          all.preamble};
 }
 
 Provables proofs() {
   Claims claims("3.9");
-  Tables tables(claims);
-  equations(tables.motion, {});
-  characteristic_roots(tables.polynomial, {});
-  oscillations(claims, tables.motion, {});
-  parallel(tables, {}, {});
-  at_zeros(tables.zeros, {});
-  auto motion = any<MotionOf>({"m", "c", "a", "p1", "p2", "v1", "v2", "t"}, "any_motion");
+  Tables tables{claims};
+  for (auto* section : provable_sections) section(tables);
+  auto motion = for_all<MotionOf>("any_motion", "it holds for any ball");
   motion.given = positive({motion.any.m, 4 * motion.any.m * motion.any.c - motion.any.a * motion.any.a});
   ForAll<InLineOf> in_line{{motion.any}, "(m c a p1 p2 s t : R)", motion.given, "damped", motion.says};
   in_line.any.v1 = Shortened::letter("s") * in_line.any.p1;
   in_line.any.v2 = Shortened::letter("s") * in_line.any.p2;
-  auto polynomial =
-      for_all<PolynomialOf>("by_parts_of_the_root m c a", "it holds for any ball", {1, 3, 2, 1, 1});
+  auto polynomial = for_all<PolynomialOf>("by_parts_of_the_root m c a", motion.says, {1, 3, 2, 1, 1});
   polynomial.given = positive({polynomial.any.m, polynomial.any.c, polynomial.any.a});
-  Provables all;
-  const auto take = [&](const Provables& some, const std::string& preamble) {
-    for (Provable proof : some) {
-      proof.preamble = preamble;
-      all.push_back(std::move(proof));
-    }
-  };
-  take(tables.polynomial.proofs("3.9", polynomial), coq_source({"parts"}));
-  take({proof_of_negative_roots(polynomial)}, coq_source({"parts"}));
-  for (const Provables& some : {tables.motion.proofs("3.9", motion), tables.in_line.proofs("3.9", in_line),
-                                proofs_of_solutions(), proofs_at_zeros(tables.zeros), proofs_of_arrivals()})
-    take(some, coq_source({"damped"}));
+  polynomial.preamble = coq_source({"parts"});
+  Provables all = tables.motion.proofs("3.9", motion);
+  for (Provables& more : std::array{tables.in_line.proofs("3.9", in_line), proofs_of_solutions(),
+                                    proofs_at_zeros(tables.zeros), proofs_of_arrivals()})
+    append(all, std::move(more));
+  for (Provable& proof : all) proof.preamble = coq_source({"damped"});
+  append(all, tables.polynomial.proofs("3.9", polynomial));
+  append(all, {proof_of_negative_roots(polynomial)});
   return all;
 }
 
