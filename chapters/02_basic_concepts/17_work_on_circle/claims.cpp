@@ -15,13 +15,11 @@ template <class G>
 struct SampleOf : MotionOf<G> {
   G t = {};
   int k = 0;
-  std::array<G*, 4> letters() { return {&this->r, &this->w, &this->T, &t}; }
+  Letters<G> table() { return {{"r", this->r}, {R"(\omega)", this->w, {}, "w"}, {"T", this->T}, {"t", t}}; }
   double size() const { return abs(this->r) * (10 + abs(this->x())); }  // the work of a turn
   TypesetIn<G> typeset() const {
-    return {{"r", this->r},     {R"(\omega)", this->w},   {"T", this->T},   {"t", t},
-            {R"(\dot t)", 1.0}, {"h", std::pow(2.0, -k)}, {"x", this->x()}, {"n", static_cast<double>(k)}};
+    return {{R"(\dot t)", 1.0}, {"h", std::pow(2.0, -k)}, {"x", this->x()}, {"n", static_cast<double>(k)}};
   }
-  std::string where() const { return listed(typeset(), 3); }
 };
 
 namespace {
@@ -115,10 +113,10 @@ Form slope(Force force) {
 // ---- formulas ---------------------------------------------------------------------------------------------
 
 void formulas(Table& table, const Samples& samples) {
+  const auto claim = table.over(samples.any);
   const auto line = [&](std::string_view slug, int number, const Form& truth, const std::string& printed,
                         const std::string& says = {}) {
-    table.formula(slug, number, says.empty() ? printed : says, samples.any,
-                  {.truth = truth, .printed = printed});
+    claim(slug, number, says.empty() ? printed : says, truth, printed);
   };
   line("velocity", 805,
        {R"($\frac{d}{dt}(r\cos\omega t,\,r\sin\omega t,\,0)$ by dual numbers)",
@@ -126,22 +124,20 @@ void formulas(Table& table, const Samples& samples) {
        R"($v=(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)$)");
   line("work_integral", 809, gain,
        R"($W=\int_0^T(1,1,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)");
-  line("power", 813, power_1, R"($r\omega(\cos\omega t-\sin\omega t)$)",
-       R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)");
+  claim.equation("power", 813, R"($(1,1,1)\cdot v=r\omega(\cos\omega t-\sin\omega t)$)", power_1);
   line("antiderivative", 815, power_1, R"($\frac{d}{dt}(r(\cos\omega t+\sin\omega t))$)",
        R"($r(\cos\omega t+\sin\omega t)$ has the derivative $F\cdot v$)");
   line("work", 815, work_1, R"($W(T)=r(\cos\omega T+\sin\omega T-1)$)");
   line("growing_integral", 831, gain_t,
        R"($W=\int_0^T(t,t,1)\cdot(-r\omega\sin\omega t,\,r\omega\cos\omega t,\,0)\,dt$)");
-  line("growing_power", 835, power_t, R"($r\omega t(\cos\omega t-\sin\omega t)$)",
-       R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)");
+  claim.equation("growing_power", 835, R"($(t,t,1)\cdot v=r\omega t(\cos\omega t-\sin\omega t)$)", power_t);
   const std::string parts = R"($W=Tr(\cos\omega T+\sin\omega T)-\int_0^Tr(\cos\omega t+\sin\omega t)\,dt$)";
   line("by_parts", 839, work_t, parts, "The integration may be performed by parts (our formula): " + parts);
   line("growing_derivative", 841, slope(Force::growing), R"($r\omega T(\cos\omega T-\sin\omega T)$)",
        R"($W'(T)=r\omega T(\cos\omega T-\sin\omega T)$ for $(t,t,1)$)");
-  line("magnitude", 849,
-       {"length of $(t,t,1)$", []<class G>(const SampleOf<G>& m) { return hypot(m.t, m.t, G(1.0)); }},
-       R"($\sqrt{2t^2+1}$)", R"($|(t,t,1)|=\sqrt{2t^2+1}$)");
+  claim.equation(
+      "magnitude", 849, R"($|(t,t,1)|=\sqrt{2t^2+1}$)",
+      {"length of $(t,t,1)$", []<class G>(const SampleOf<G>& m) { return hypot(m.t, m.t, G(1.0)); }});
 }
 
 const std::string of_zero = "a multiple of zero is zero";
@@ -154,41 +150,39 @@ std::string work(const std::string& from, const std::string& to, const std::stri
 }
 
 void misprints(Table& table, const Samples& samples) {
-  table.formula("derivative", 821, R"(For $(1,1,1)$ $W'(T)=r\omega(-\sin\omega T+\cos\omega t)$.)",
-                samples.any,
-                {.truth = slope(Force::constant),
-                 .printed = R"($r\omega(-\sin\omega T+\cos\omega t)$)",
-                 .meant = R"($r\omega(-\sin\omega T+\cos\omega T)$)",
-                 .kind = Fault::formula,
-                 .why = "The cosine keeps the variable of integration $t$, which has no value once the "
-                        "integral is done; both times are $T$, as the next line takes them. (The check puts "
-                        "$t=T+1$.)"});
-  table.formula(
-      "growing_work", 837,
-      R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega )"
-      R"(T+\sin\omega T))$ (our reading: the last parenthesis closes one that is lost after )"
-      R"($r\omega$).)",
-      samples.any,
-      {.truth = work_t,
-       .printed =
-           R"($r\omega\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
-       .meant = R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
-                R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
-       .why = R"(A fraction bar and a parenthesis are lost: the factor is $r/\omega$, not $r\omega$, and )"
-              R"(precedes the whole. Their ratio is $\omega^2$: they agree at $\omega=1$ alone.)"});
-  table.formula(
+  const auto claim = table.over(samples.any);
+  const auto turns = table.over(samples.forward);
+  claim(
+      "derivative", 821, R"(For $(1,1,1)$ $W'(T)=r\omega(-\sin\omega T+\cos\omega t)$.)",
+      {.truth = slope(Force::constant),
+       .printed = R"($r\omega(-\sin\omega T+\cos\omega t)$)",
+       .meant = R"($r\omega(-\sin\omega T+\cos\omega T)$)",
+       .kind = Fault::formula,
+       .why = "The cosine keeps the variable of integration $t$; both times are $T$, as the next line takes "
+              "them. (The check puts $t=T+1$.)"});
+  claim("growing_work", 837,
+        R"(For $(t,t,1)$ $W(T)=r\omega\,(-1+\cos\omega T-\sin\omega T)+T\omega(\cos\omega )"
+        R"(T+\sin\omega T))$ (our reading: the last parenthesis closes one that is lost after )"
+        R"($r\omega$).)",
+        {.truth = work_t,
+         .printed =
+             R"($r\omega\bigl((-1+\cos\omega T-\sin\omega T)+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
+         .meant = R"($\frac r\omega\bigl((-1+\cos\omega T-\sin\omega T))"
+                  R"(+\omega T(\cos\omega T+\sin\omega T)\bigr)$)",
+         .why =
+             R"(A fraction bar and a parenthesis are lost: the factor $r/\omega$ precedes the whole. It and )"
+             R"($r\omega$ agree at $\omega=1$ alone.)"});
+  turns(
       "full_turn", 817, R"(After one turn, at $T=2\pi\omega$, the work is zero: $W(2\pi\omega)=0$.)",
-      samples.forward,
       {.quantity = "work of $(1,1,1)$",
        .truth = zero,
        .printed = work("0", R"({2\pi\omega})", "1"),
        .meant = work("0", R"({2\pi/\omega})", "1"),
        .changes_that_hold = of_zero,
-       .why =
-           filled(R"(The fraction bar is lost: a turn takes $2\pi/\omega$. At $2\pi\omega$ the particle has )"
-                  R"(turned by $2\pi\omega^2$ and the work is zero by chance only, as for $\omega=1$; for )"
-                  R"($\omega=1/\sqrt2$ it is $@1r$.)",
-                  {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
+       .why = filled(
+           R"(The fraction bar is lost: a turn takes $2\pi/\omega$. At $2\pi\omega$ the work is zero by chance )"
+           R"(only, as for $\omega=1$; for $\omega=1/\sqrt2$ it is $@1r$.)",
+           {work_of(Force::constant, Motion{1, 1 / sqrt2, sqrt2 * pi})})});
 }
 
 // ---- conservation -----------------------------------------------------------------------------------------
@@ -222,13 +216,13 @@ void conservation(Claims& claims, Table& table, const Samples& samples) {
   claims.add("conservative", 817, "The field $(1,1,1)$ is conservative.",
              {.printed = both_ways("", "", ones),
               .near_misses = {both_ways(" of $(1-y,1+x,1)$", ", in the field $(1-y,1+x,1)$", swirl)}});
-  table.formula("round_trip", 817, "Once around the circle, back to where it started, the net work is zero.",
-                samples.forward,
-                {.quantity = "work of a turn from a random start",
-                 .truth = zero,
-                 .printed = work("T", R"({T+2\pi/\omega})", "1"),
-                 .near_misses = {work("T", R"({T+2\pi/\omega})", "t")},
-                 .changes_that_hold = of_zero});
+  table.over(samples.forward)("round_trip", 817,
+                              "Once around the circle, back to where it started, the net work is zero.",
+                              {.quantity = "work of a turn from a random start",
+                               .truth = zero,
+                               .printed = work("T", R"({T+2\pi/\omega})", "1"),
+                               .near_misses = {work("T", R"({T+2\pi/\omega})", "t")},
+                               .changes_that_hold = of_zero});
 }
 
 // ---- maxima and minima ------------------------------------------------------------------------------------
@@ -250,11 +244,7 @@ std::vector<double> zeros(Force force, M m) {
       found.push_back(m.w * root.value);
   return found;
 }
-/// The zeros, or some of them, as a list.
-Form zeros_of(Force force, const std::function<std::vector<double>(const std::vector<double>&)>& some = {}) {
-  return {"Brent's method over a scan",
-          [=](M m) { return Value(some ? some(zeros(force, m)) : zeros(force, m)); }};
-}
+const std::string by_scan = "Brent's method over a scan";
 Form list(const std::string& text, const std::vector<double>& numbers) {
   return {text, [=](M) { return Value(numbers); }};
 }
@@ -268,19 +258,17 @@ std::vector<double> and_zero(std::vector<double> all) {
   return all;
 }
 /// The first three above x, so that lists of different lengths can be compared.
-auto three_above(double x) {
-  return [=](const std::vector<double>& all) {
-    const auto first = std::ranges::upper_bound(all, x);
-    return std::vector<double>(first, first + 3);
-  };
+std::vector<double> three_above(double x, const std::vector<double>& all) {
+  const auto first = std::ranges::upper_bound(all, x);
+  return {first, first + 3};
 }
 
 void zeros_of_the_power(Claims& claims, const Samples& samples) {
   const double first = pi / 4;
   const std::string at = R"(at $\pi/4+k\pi$)";
   const auto roots = [&](Force force, const Form& form) {
-    return Reading{form.text,
-                   {compare(R"(all zeros of $W'$, as $\omega T$)", form, zeros_of(force), samples.forward)}};
+    const Form found{by_scan, [=](M m) { return Value(zeros(force, m)); }};
+    return Reading{form.text, {compare(R"(all zeros of $W'$, as $\omega T$)", form, found, samples.forward)}};
   };
   const Form tangents{R"($\tan\omega T$ at the zeros)",
                       [](M m) {
@@ -297,8 +285,9 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
               .near_misses = {roots(Force::constant, list(R"(at $\pi/4+2k\pi$)", spaced(first, 2 * pi))),
                               roots(Force::constant, list(R"(at $3\pi/4+k\pi$)", spaced(3 * first, pi)))}});
   const auto three = [&](const std::string& which, double x) {
-    return compare("the first three zeros of $W'$ " + which, list(at, three_above(x)(spaced(first, pi))),
-                   zeros_of(Force::growing, three_above(x)), samples.forward);
+    const Form found{by_scan, [=](M m) { return Value(three_above(x, zeros(Force::growing, m))); }};
+    return compare("the first three zeros of $W'$ " + which, list(at, three_above(x, spaced(first, pi))),
+                   found, samples.forward);
   };
   claims.add(
       "growing_zeros", 843, R"(For $(t,t,1)$ $W'$ is zero when $\omega T=\pi/4+k\pi$, $k$ any integer.)",
@@ -308,9 +297,8 @@ void zeros_of_the_power(Claims& claims, const Samples& samples) {
        .near_misses = {roots(Force::growing,
                              list(R"(at $3\pi/4+k\pi$, and 0)", and_zero(spaced(3 * first, pi))))},
        .why =
-           R"(What is said of these times is true, and the formula before it shows the rest: )"
-           R"($W'=r\omega T(\cos\omega T-\sin\omega T)$ has the factor $T$. So $W'$ is zero at $T=0$ as well, )"
-           R"(a minimum, $W\approx r\omega T^2/2$, and no $\pi/4+k\pi$.)",
+           R"($W'=r\omega T(\cos\omega T-\sin\omega T)$ has the factor $T$: it is zero at $T=0$ as well, a )"
+           R"(minimum, $W\approx r\omega T^2/2$, and no $\pi/4+k\pi$.)",
        .root = "the start is stationary too"});
 }
 
@@ -334,10 +322,10 @@ void extrema(Claims& claims, const Samples& samples) {
                  }},
        .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
-       .why = filled(R"($W'=0$ is necessary and not sufficient: every other such time, $\omega T=5\pi/4, )"
-                     R"(13\pi/4,\ldots$, is a minimum, $W=-r(\sqrt2+1)=@3\,r$. The text means that: two )"
-                     R"(sentences on it has half of these times as minima.)",
-                     {work_of(Force::constant, Motion{1, 1, 5 * pi / 4})})});
+       .why =
+           filled(R"(Every other such time, $\omega T=5\pi/4,13\pi/4,\ldots$, is a minimum, )"
+                  R"($W=-r(\sqrt2+1)=@3\,r$. Two sentences on the text has half of these times as minima.)",
+                  {work_of(constant, Motion{1, 1, 5 * pi / 4})})});
   claims.statement<Sample>(
       "halves", 823, "Half of these times lead to a minimum, the other half to a maximum.", samples.cases,
       {.printed = peaks("even $k$: maximum, odd $k$: minimum", constant, -6, 1, 1, -1),
@@ -364,10 +352,9 @@ void extrema(Claims& claims, const Samples& samples) {
 }
 
 void values_at_maxima(Claims& claims, const Samples& samples) {
-  claims.formula<AtMaximum>(
+  claims.over(samples.maxima)(
       "maxima_value", 845,
       R"(At its maxima the work of $(t,t,1)$ is $W(\pi/4+2n\pi)=r\omega(\pi/4+2n\pi)\sqrt2$.)",
-      samples.maxima,
       {.quantity = R"($W$ at $x=\pi/4+2n\pi$ less its value)",
        .truth = {"zero", [](M) { return 0.0; }},
        .printed = {work("0", "x", "t", R"(=r\omega x\sqrt2)")},
@@ -438,57 +425,29 @@ Provables about_extrema(const ForAll<SampleOf>& all) {
   const auto coq = [](const Shortened& x) { return x.expression().coq(); };
   const Shortened first = work_of(Force::constant, any.at(pi_of<Shortened>() / 4 / any.w)),
                   highest = any.r * (sqrt(Shortened(2.0)) - 1);
-  const std::string closed =
-      "integrate (fun t => r * (cos (w * t) + sin (w * t)));\n"
-      "  rewrite ?Rmult_0_r, ?cos_0, ?sin_0; ";
-  const std::vector<Proposition> forward{above(any.r.expression(), 0), above(any.w.expression(), 0)};
-  const auto vector = [](const char* x, const char* y, const char* z) {
-    return std::array{Shortened::letter(x), Shortened::letter(y), Shortened::letter(z)};
-  };
-  const std::string work =
-      coq(dot(ones(vector("(x t)", "(y t)", "(z t)")), vector("(u t)", "(v t)", "(w t)")));
-  Provables proved{
-      {"2.17-zeros",
-       "for any radius and speed the power is zero there, and nowhere else",
-       {{"printed",
-         all.letters,
-         {not_zero(any.r.expression()), not_zero(any.w.expression())},
-         {{"(" + coq(power(Force::constant, any, any.T)) +
-           " = 0 <-> exists k : Z, w * T = PI / 4 + IZR k * PI)"}},
-         "intro is; first\n"
-         "  [apply (alike_at (w * T)), (Rmult_eq_reg_l (r * w));\n"
-         "    [rewrite Rmult_0_r, <- is; ring | now apply Rmult_integral_contrapositive]\n"
-         "  |apply (alike_at (w * T)) in is; transitivity (r * w * (cos (w * T) - sin (w * T)));\n"
-         "    [ring | rewrite is; ring]]"}}},
-      {"2.17-first_maximum",
-       "for any radius and speed the work has this value at that time, and no larger one at any other",
-       {{"value",
-         all.letters,
-         forward,
-         {first.expression() == highest.expression()},
-         closed +
-             "replace (w * (PI / 4 / w)) with (PI / 4) by (field; lra);\n  rewrite cos_PI4, sin_PI4;\n"
-             "  pose proof (sqrt_lt_R0 2 ltac:(lra)); pose proof (sqrt_sqrt 2 ltac:(lra)) as two; field [two]; lra"},
-        {"nowhere_larger",
-         all.letters,
-         forward,
-         {{coq(work_of(Force::constant, any)) + " <= " + coq(highest)}},
-         "match goal with |- RInt ?f ?a ?b <= _ =>\n"
-         "    assert (is : RInt f a b = r * (cos (w * T) + sin (w * T)) - r) by (" +
-             closed +
-             "ring); rewrite is end;\n"
-             "  pose proof (Rmult_le_compat_l r _ _ ltac:(lra) (at_most_root (w * T))); lra"}}},
-      {"2.17-conservative",
-       "the work along any path is the difference of x + y + z at its ends",
-       {{"printed",
-         "(x y z u v w : R -> R) (a b : R)",
-         {{"(forall t, is_derive x t (u t) /\\ is_derive y t (v t) /\\ is_derive z t (w t))"},
-          {"(forall t, continuous u t /\\ continuous v t /\\ continuous w t)"}},
-         {{"RInt (fun t => " + work + ") a b = x b + y b + z b - (x a + y a + z a)"}},
-         "apply (RInt_by (fun t => x t + y t + z t)); intro t; destruct (H t) as [? [? ?]]; destruct (H0 t) as [? [? ?]];\n"
-         "  [repeat apply @is_derive_plus | repeat apply @continuous_plus]; assumption"}}}};
-  for (Provable& p : proved) p.preamble = coq_source({"extrema"});
-  return proved;
+  const auto letter = Shortened::letter;
+  const std::array<Shortened, 3> at{letter("(x t)"), letter("(y t)"), letter("(z t)")},
+      rate{letter("(u t)"), letter("(v t)"), letter("(w t)")};
+  const std::string of_power = coq(power(Force::constant, any, any.T)), of_path = coq(dot(ones(at), rate));
+  const std::vector<Proposition>
+      forward = positive({any.r, any.w}),
+      moving{not_zero(any.r.expression()), not_zero(any.w.expression())},
+      path{{"(forall t, is_derive x t (u t) /\\ is_derive y t (v t) /\\ is_derive z t (w t))"},
+           {"(forall t, continuous u t /\\ continuous v t /\\ continuous w t)"}},
+      alike{{"(" + of_power + " = 0 <-> exists k : Z, w * T = PI / 4 + IZR k * PI)"}},
+      is_highest{first.expression() == highest.expression()},
+      nowhere_larger{{coq(work_of(Force::constant, any)) + " <= " + coq(highest)}},
+      difference{{"RInt (fun t => " + of_path + ") a b = x b + y b + z b - (x a + y a + z a)"}};
+  return {{"2.17-zeros",
+           "for any radius and speed the power is zero there, and nowhere else",
+           {{"printed", all.letters, moving, alike, "zeros r w T"}}},
+          {"2.17-first_maximum",
+           "for any radius and speed the work has this value at that time, and no larger one at any other",
+           {{"value", all.letters, forward, is_highest, "highest r w"},
+            {"nowhere_larger", all.letters, forward, nowhere_larger, "nowhere_larger r w T"}}},
+          {"2.17-conservative",
+           "the work along any path is the difference of x + y + z at its ends",
+           {{"printed", "(x y z u v w : R -> R) (a b : R)", path, difference, "of_potential x y z H H0"}}}};
 }
 
 Provables proofs() {
@@ -498,29 +457,15 @@ Provables proofs() {
   formulas(table, none);
   misprints(table, none);
   conservation(claims, table, none);
-  const std::string tactic = R"(repeat first
-    [ integrate (fun t => r * (cos (w * t) + sin (w * t)))
-    | integrate (fun t => r * t * (cos (w * t) + sin (w * t)) - r / w * (sin (w * t) - cos (w * t)))
-    | integrate (fun t => r / w * (sin (w * t) - cos (w * t)))
-    | integrate (fun u => r * w * u * (cos (w * (T * u)) - sin (w * (T * u))))
-    | integrate (fun u => r * w * u * (T * u) * (cos (w * (T * u)) - sin (w * (T * u)))) ];
-  try replace (w * (2 * PI / w)) with (2 * PI) by (field; trivial);
-  try replace (w * (T + 2 * PI / w)) with (w * T + 2 * PI) by (field; trivial);
-  rewrite ?cos_plus, ?sin_plus, ?cos_2PI, ?sin_2PI, ?Rmult_0_r, ?Rmult_1_r, ?cos_0, ?sin_0;
-  first [ring | field; trivial | f_equal; ring])";
-  ForAll<SampleOf> all{.any = lettered<SampleOf>({"r", "w", "T", "t"}),
-                       .letters = "(r w T t : R)",
-                       .tactic = tactic,
-                       .says = "it holds for every radius and speed, at every time",
-                       .example = {{0.5, 0.75, 2}, 3}};
+  auto all = for_all<SampleOf>("by_antiderivatives r w T",
+                               "it holds for every radius and speed, at every time", {0.5, 0.75, 2, 3});
   all.given = {not_zero(all.any.w.expression())};
   Provables proved = table.proofs("2.17", all);
-  for (Provable& claim : proved) {
-    claim.preamble = coq_source({"integrals"});
+  for (Provable& claim : proved)
     for (Lemma& lemma : claim.lemmas)
       if (lemma.tactic == "interval") lemma.tactic = "integral";
-  }
-  std::ranges::move(about_extrema(all), std::back_inserter(proved));
+  append(proved, about_extrema(all));
+  for (Provable& claim : proved) claim.preamble = coq_source({"extrema"});
   return proved;
 }
 
