@@ -92,24 +92,20 @@ struct SampleOf {
     return all;
   }
   TypesetIn<T> typeset() const {
-    const auto all = []<int rows, int columns>(const Eigen::Matrix<T, rows, columns>& x) {
-      std::array<T, static_cast<std::size_t>(rows * columns)> by_rows;
-      for (int i = 0; i < rows * columns; ++i)
-        by_rows[static_cast<std::size_t>(i)] = x(i / columns, i % columns);
+    const auto all = [](const auto& x) {
+      std::vector<T> by_rows;
+      for (int i = 0; i < x.size(); ++i) by_rows.push_back(x(i / x.cols(), i % x.cols()));
       return by_rows;
     };
-    return {{"f", f},
-            {"m", body.mass},
-            {"v^-", all(body.v)},
-            {"w^-", all(body.w)},
-            {"N", all(normal)},
-            {"J^{-1}", all(inverse(body.inertia))},
-            {"r(P_0)", all(arm(p0))},
-            {"r(P_1)", all(arm(p1))},
-            {"r(M)", all(arm((p0 + p1) / 2.0))},
-            {"G(P_0)", G(p0)},
-            {"G(P_1)", G(p1)},
-            {"G(M)", G(Vector<T>((p0 + p1) / 2.0))}};
+    TypesetIn<T> letters{
+        {"f", f}, {"m", body.mass}, {"v^-", all(body.v)}, {"w^-", all(body.w)}, {"N", all(normal)}};
+    letters.emplace_back("J^{-1}", all(inverse(body.inertia)));
+    for (const auto& [name, x] :
+         {std::pair<std::string, Vector<T>>{"(P_0)", p0}, {"(P_1)", p1}, {"(M)", (p0 + p1) / 2.0}}) {
+      letters.emplace_back("r" + name, all(arm(x)));
+      letters.emplace_back("G" + name, G(x));
+    }
+    return letters;
   }
 };
 using Sample = SampleOf<double>;
@@ -138,16 +134,13 @@ Samples judged_by(Tolerance (*allowed)(const Sample&), Samples all) {
 
 // ---- the delta function -----------------------------------------------------------------------------------
 
+/// By default over the unit interval.
 template <class T, class F>
-T integral_of(const F& f, const T& from, const T& to) {
+T integral_of(const F& f, const T& from = 0.0, const T& to = 1.0) {
   if constexpr (std::same_as<T, Shortened>)
     return recorded_integral(f, from, to);
   else
     return gauss_legendre(f, from, to, 4).value;
-}
-template <class T, class F>
-T over_unit(const F& f) {
-  return integral_of<T>(f, 0.0, 1.0);
 }
 
 constexpr double width = 1e-3;
@@ -155,11 +148,8 @@ constexpr double width = 1e-3;
 /// The mean of g over a cube about p: an approximate delta function. Recorded, the half side is any h.
 template <class T, class F>
 T near_point(const F& g, const Vector<T>& p) {
-  T h;
-  if constexpr (std::same_as<T, Shortened>)
-    h = T::letter("h");
-  else
-    h = width;
+  T h = width;
+  if constexpr (std::same_as<T, Shortened>) h = T::letter("h");
   const auto along = [&](int i, const auto& f) { return integral_of<T>(f, p[i] - h, p[i] + h); };
   const T all = along(0, [&](const T& x) {
     return along(1,
@@ -184,11 +174,6 @@ Tolerance of_G(const Sample&) {
 // ---- the velocities ---------------------------------------------------------------------------------------
 
 constexpr double pulse = 1e-6;
-
-/// (v, w) after a pulse shared by the two points, which move with the body.
-std::array<double, 6> by_motion(const Sample& s, double first) {
-  return after_pulse(s.body, {s.p0, s.p1, s.f * s.normal, first}, pulse).value;
-}
 
 /// Error of the pulse's integral by 128 steps, from the first term of Simpson's error at the half steps. At
 /// its ends 630 t^4 (1 - t)^4 has the fifth derivatives -+302400.
@@ -223,38 +208,28 @@ Tolerance of_w(const Sample& s) {
 /// Rounding of the means over narrow cubes.
 Tolerance of_mean(const Sample& s) { return rounding((s.body.v.norm() + 2 * s.kick()) / width, 16); }
 
-/// w+ by the torques' sum or integral over the points of contact.
-template <class T, class F>
-Vector<T> spun(const SampleOf<T>& s, const F& over_points) {
-  Vector<T> momentum;
-  for (int k = 0; k < 3; ++k)
-    momentum[k] = over_points([&](const Vector<T>& x) { return T(s.torque(x)[k]); });
-  return s.body.w + turned(s.body.inertia, momentum);
-}
-/// v+ likewise.
-template <class T, class F>
-Vector<T> pushed(const SampleOf<T>& s, const F& over_points) {
-  Vector<T> v = s.body.v;
-  for (int k = 0; k < 3; ++k)
-    v[k] += over_points([&](const Vector<T>&) { return s.f * s.normal[k]; }) / s.body.mass;
-  return v;
-}
-/// v+ or w+.
+/// v+ or w+, by the sum or integral of impulses or torques over the points of contact.
 template <class T, class F>
 Vector<T> after(bool turning, const SampleOf<T>& s, const F& over_points) {
-  return turning ? spun(s, over_points) : pushed(s, over_points);
+  Vector<T> all;
+  for (int k = 0; k < 3; ++k)
+    all[k] = over_points([&](const Vector<T>& x) { return turning ? T(s.torque(x)[k]) : s.f * s.normal[k]; });
+  if (turning) return s.body.w + turned(s.body.inertia, all);
+  return s.body.v + all / s.body.mass;
 }
 
-/// Recorded, the pulse's integral has the arms at its begin.
+/// After a pulse shared by the two points, which move with the body. Recorded, its integral has the arms at
+/// its begin.
 Form motion(bool turning, double first = 0.5) {
   const std::string text =
       first == 0.5 ? "half the pulse at either point" : "three quarters of the pulse at $P_0$";
   return {"motion under " + text, [=]<class T>(const SampleOf<T>& s) -> Vector<T> {
             if constexpr (std::same_as<T, double>)
-              return Vector3d(&by_motion(s, first)[turning ? 3 : 0]);
+              return Vector3d(
+                  &after_pulse(s.body, {s.p0, s.p1, s.f * s.normal, first}, pulse).value[turning ? 3 : 0]);
             else
               return after(turning, s, [&](const auto& g) {
-                return over_unit<T>([&](const T& t) {
+                return integral_of<T>([&](const T& t) {
                   const T bump = t * t * (1.0 - t) * (1.0 - t);
                   return 630.0 * bump * bump * (0.5 * g(s.p0) + 0.5 * g(s.p1));
                 });
@@ -271,38 +246,38 @@ Form impulses(bool turning, double weight) {
 }
 
 const Form mean_torque{"half the impulse at either point", [](const auto& s) {
-                         return spun(s, [&](const auto& g) { return 0.5 * g(s.p0) + 0.5 * g(s.p1); });
+                         return after(true, s, [&](const auto& g) { return 0.5 * g(s.p0) + 0.5 * g(s.p1); });
                        }};
 
 const std::string factor_of_one = "a factor of one may be left out";
 
 void velocities(Table& table, const Samples& all) {
-  const auto claim = [&](std::string_view slug, int line, const std::string& says,
-                         Tolerance (*allowed)(const Sample&), const Form& truth, const Form& printed,
-                         const std::vector<Form>& near_misses = {},
-                         const std::string& changes_that_hold = {}) {
-    table.formula(slug, line, says, judged_by(allowed, all),
-                  {.quantity = says.substr(0, 4) + "$",
-                   .truth = truth,
-                   .printed = printed,
-                   .near_misses = near_misses,
-                   .changes_that_hold = changes_that_hold});
-  };
-  claim("linear_integral", 3753, R"($v^+=v^-+\frac1m\int\int fN\,\delta(t-t_0)\,\delta(X,S)\,dt\,dX$)", of_v,
-        motion(false), impulses(false, 0.5), {impulses(false, 1)});
-  claim("linear_mean", 3757,
-        R"($v^+=v^-+\frac1m\frac{fN+fN}2$, the integral being the mean of the two impulses)", of_mean,
-        impulses(false, 0.5), R"($v^-+\frac1m\frac{fN+fN}2$)");
-  claim("linear_result", 3761, "$v^+=v^-+fN/m$", of_v, motion(false), "$v^-+fN/m$");
-  claim("angular_integral", 3767,
-        R"($w^+=w^-+J^{-1}\int\int r(X,t)\times fN\,\delta(t-t_0)\,\delta(X,S)\,dt\,dX$)", of_w, motion(true),
-        impulses(true, 0.5), {impulses(true, 1)});
-  const std::string by_torques = R"(w^-+\frac12J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)",
-                    by_mean_arm = R"(w^-+J^{-1}(\frac{r(P_0)+r(P_1)}2\times fN)$)";
-  claim("angular_mean", 3771, "$w^+=" + by_torques, of_w, motion(true), "$" + by_torques, {}, factor_of_one);
-  claim("angular_mean_arm", 3777, "$w^+=" + by_mean_arm, nullptr, mean_torque, "$" + by_mean_arm);
+  const Samples by_v = judged_by(of_v, all), by_w = judged_by(of_w, all), by_mean = judged_by(of_mean, all);
+  const auto v = table.over(by_v), w = table.over(by_w), claim = table.over(all);
+  v("linear_integral", 3753, R"($v^+=v^-+\frac1m\int\int fN\,\delta(t-t_0)\,\delta(X,S)\,dt\,dX$)",
+    {.quantity = "$v^+$",
+     .truth = motion(false),
+     .printed = impulses(false, 0.5),
+     .near_misses = {impulses(false, 1)}});
+  table.over(by_mean)("linear_mean", 3757,
+                      R"($v^+=v^-+\frac1m\frac{fN+fN}2$, the integral being the mean of the two impulses)",
+                      impulses(false, 0.5), R"($v^-+\frac1m\frac{fN+fN}2$)", "$v^+$");
+  v.equation("linear_result", 3761, "$v^+=v^-+fN/m$", motion(false));
+  w("angular_integral", 3767,
+    R"($w^+=w^-+J^{-1}\int\int r(X,t)\times fN\,\delta(t-t_0)\,\delta(X,S)\,dt\,dX$)",
+    {.quantity = "$w^+$",
+     .truth = motion(true),
+     .printed = impulses(true, 0.5),
+     .near_misses = {impulses(true, 1)}});
+  w.equation("angular_mean", 3771, R"($w^+=w^-+\frac12J^{-1}(r(P_0)\times fN+r(P_1)\times fN)$)",
+             motion(true), factor_of_one);
+  claim.equation("angular_mean_arm", 3777, R"($w^+=w^-+J^{-1}(\frac{r(P_0)+r(P_1)}2\times fN)$)",
+                 mean_torque);
   claim("angular_midpoint", 3783, R"($w^+=w^-+J^{-1}(r(M)\times fN)$ with the midpoint $M=(P_0+P_1)/2$)",
-        nullptr, mean_torque, R"($w^-+J^{-1}(r(M)\times fN)$)", {motion(true, 0.75)});
+        {.quantity = "$w^+$",
+         .truth = mean_torque,
+         .printed = R"($w^-+J^{-1}(r(M)\times fN)$)",
+         .near_misses = {motion(true, 0.75)}});
 }
 
 // ---- segments, faces and densities ------------------------------------------------------------------------
@@ -310,8 +285,8 @@ void velocities(Table& table, const Samples& all) {
 /// w+ for the impulse spread along P0 P1 with density 1 + slope (2u - 1) at the fraction u.
 Form along_segment(const std::string& text, double slope) {
   return {text, [=]<class T>(const SampleOf<T>& s) {
-            return spun(s, [&](const auto& g) {
-              return over_unit<T>(
+            return after(true, s, [&](const auto& g) {
+              return integral_of<T>(
                   [&](const T& u) { return (1 + slope * (2 * u - 1)) * g((1 - u) * s.p0 + u * s.p1); });
             });
           }};
@@ -319,11 +294,10 @@ Form along_segment(const std::string& text, double slope) {
 const Form even_segment = along_segment("even pressure along the segment", 0);
 
 void segment(Table& table, const Samples& bodies) {
-  table.formula(
+  table.over(bodies)(
       "segment", 3785,
       "two points give exactly the result of the line segment (our reading, as that is not in the solutions: "
       "evenly pressed)",
-      bodies,
       {.quantity = "$w^+$",
        .truth = mean_torque,
        .printed = even_segment,
@@ -349,8 +323,8 @@ struct Trapezoid {
 template <class T>
 Vector<T> over_area(const SampleOf<T>& s, const Trapezoid<T>& area) {
   const auto integral = [&](const auto& g) {
-    return over_unit<T>([&](const T& u) {
-      return over_unit<T>([&](const T& v) {
+    return integral_of<T>([&](const T& u) {
+      return integral_of<T>([&](const T& v) {
         if constexpr (std::same_as<T, double>)
           return area.element(u, v).norm() * g(area.point(u, v));
         else
@@ -358,14 +332,15 @@ Vector<T> over_area(const SampleOf<T>& s, const Trapezoid<T>& area) {
       });
     });
   };
-  return spun(s,
-              [&](const auto& g) { return integral(g) / integral([](const Vector<T>&) { return T(1.0); }); });
+  return after(true, s, [&](const auto& g) {
+    return integral(g) / integral([](const Vector<T>&) { return T(1.0); });
+  });
 }
 
 /// w+ by equal impulses at the corners.
 template <class T>
 Vector<T> at_corners(const SampleOf<T>& s, const Trapezoid<T>& area, int corners) {
-  return spun(s, [&](const auto& g) {
+  return after(true, s, [&](const auto& g) {
     const T three = g(area.p0) + g(area.p0 + area.e) + g(area.p0 + area.a);
     return T(corners == 3 ? three / 3.0 : (three + g(area.point(1.0, 1.0))) / 4.0);
   });
@@ -387,8 +362,8 @@ Check as_area(const Samples& all, const std::string& shape, double ratio) {
 void finite_set(Claims& claims, const Samples& bodies, const Samples& boxes) {
   // For a trapezoid with the parallel sides 2 and 1, over its height.
   const double mean = (0 + 0 + 1 + 1) / 4.0,
-               centroid = over_unit<double>([](double v) { return v * (2 - v); }) /
-                          over_unit<double>([](double v) { return 2 - v; });
+               centroid = integral_of<double>([](double v) { return v * (2 - v); }) /
+                          integral_of<double>([](double v) { return 2 - v; });
   const Check segment =
                   compare<Sample>("$w^+$ of boxes and unequal masses", mean_torque, even_segment, bodies),
               triangles = as_area(boxes, "triangles", 0),
@@ -404,12 +379,10 @@ void finite_set(Claims& claims, const Samples& bodies, const Samples& boxes) {
                      {segment, triangles, parallelograms}},
        .near_misses = {{"trapezoids alone, $1:0.9$", {as_area(boxes, "trapezoids, $1:0.9$", 0.9)}}},
        .why = filled(
-           "Two points do replace an evenly pressed segment, whatever the body's density. It does not follow that "
-           "corners replace a face. "
-           "The mean of a trapezoid's corners is not its centroid: with parallel sides 2 and 1 it lies at "
-           "@1 of the height, and the centroid at @3. The torque about the long side is then @3 times the right "
-           "one. Corners weighted by area (a third of each triangle's share) give the face's result "
-           "exactly.",
+           "Two points do replace an evenly pressed segment, but the mean of a trapezoid's corners is not its "
+           "centroid. With parallel sides 2 and 1 it lies at @1 of the height, and the centroid at @3. The "
+           "torque about the long side is then @3 times the right one. Corners weighted by area (a third of "
+           "each triangle's share) give the face's result exactly.",
            {mean, centroid, mean / centroid}),
        .kind = Fault::counterexample,
        .root = "corners for a face"});
@@ -423,10 +396,9 @@ std::vector<Claim> claims(double seed) {
   bodies.insert(bodies.end(), all.begin(), all.end());
   Claims claims("6.5");
   Table table(claims);
-  claims.formula<Sample>(
+  claims.over(judged_by(of_G, all))(
       "delta", 3743,
       R"($\int G(X)\,\delta(X,S)\,dX=\frac12(G(P_0)+G(P_1))$ for the average of two delta functions)",
-      judged_by(of_G, all),
       {.quantity = R"($\int G(X)\,\delta(X,S)\,dX$)",
        .truth = {"narrow cubes about both points, weight 0.5 each",
                  [](const Sample& s) { return sifted(s, 0.5, G); }},
@@ -457,45 +429,35 @@ namespace {
 /// the whole; those of a trapezoid do not.
 Provable proof_of_finite_set(const ForAll<SampleOf>& all, Lemma segment) {
   const auto letter = Shortened::letter;
-  const auto equal_vectors = [](const Vector<Shortened>& x, const Vector<Shortened>& y) {
-    return equal(detail::recorded_value(x), detail::recorded_value(y));
-  };
   const auto& s = all.any;
   const Shortened u = letter("u"), v = letter("v");
   Trapezoid<Shortened> area{s.p0, s.p1 - s.p0, {letter("a0"), letter("a1"), letter("a2")}, letter("ratio")};
   std::string with_side = all.letters;
   with_side.insert(1, "a0 a1 a2 ratio u v ");
+  const auto lemma = [&](const char* name, const Vector<Shortened>& x, const Vector<Shortened>& y,
+                         const char* tactic) -> Lemma {
+    return {name, with_side, {}, equal(detail::recorded_value(x), detail::recorded_value(y)), tactic};
+  };
   segment.name = "corrected_segment";
   Provable proof{
       "6.5-finite_set",
       "as corrected it holds for any segment, triangle and parallelogram; a trapezoid's corners are "
       "off at an example",
-      {segment,
-       {"element",
-        with_side,
-        {},
-        equal_vectors(area.element(u, v), area.fraction(v) * area.e.cross(area.a)),
-        "ring"}},
+      {segment, lemma("element", area.element(u, v), area.fraction(v) * area.e.cross(area.a), "ring")},
       0.05};
   for (const auto& [shape, ratio] :
        {std::pair("corrected_triangle", 0.0), {"corrected_parallelogram", 1.0}}) {
     area.ratio = ratio;
-    proof.lemmas.push_back({shape,
-                            with_side,
-                            {},
-                            equal_vectors(at_corners(s, area, ratio == 0 ? 3 : 4), over_area(s, area)),
-                            "over_squares; field; lra"});
+    proof.lemmas.push_back(lemma(shape, at_corners(s, area, ratio == 0 ? 3 : 4), over_area(s, area),
+                                 "over_squares; field; lra"));
   }
   SampleOf<Shortened> example;
   example.f = example.body.mass = example.p1[0] = example.normal[2] = 1.0;
   example.body.inertia.setIdentity();
   area = {example.p0, example.p1, Vector<Shortened>::Unit(1), 0.5};
-  proof.lemmas.push_back({"printed_differs",
-                          "",
-                          {},
-                          {apart(at_corners(example, area, 4)[0].expression(),
-                                 over_area(example, area)[0].expression(), proof.margin)},
-                          "over_squares; interval"});
+  const auto off = apart(at_corners(example, area, 4)[0].expression(),
+                         over_area(example, area)[0].expression(), proof.margin);
+  proof.lemmas.push_back({"printed_differs", "", {}, {off}, "over_squares; interval"});
   return proof;
 }
 
@@ -509,20 +471,16 @@ Provables proofs() {
   std::vector<std::string> names{"m", "f"};
   for (const char* name : {"c", "v", "w", "p", "q", "n", "k0", "k1", "k2"})
     for (const char* i : {"0", "1", "2"}) names.push_back(std::string(name) + i);
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = "(h " + quantified(names).substr(1),
-                       .given = {not_zero(Expression::letter("h")), not_zero(Expression::letter("m"))},
-                       .tactic = "over_cubes; over_lines; field; auto",
-                       .says = "it holds for any body, points, normal and impulse"};
+  auto all = for_all<SampleOf>(names, "over_cubes; over_lines; field; auto",
+                               "it holds for any body, points, normal and impulse");
+  all.letters.insert(1, "h ");
+  all.given = {not_zero(Expression::letter("h")), not_zero(Expression::letter("m"))};
   Provables proved = table.proofs("6.5", all);
-  const auto of = [&](const std::string& slug) {
-    return std::ranges::find(proved, "6.5-" + slug, &Provable::claim);
-  };
-  for (const char* slug : {"linear_integral", "linear_mean", "angular_integral"})
-    of(slug)->says += ", the delta functions as wide as one likes";
-  for (const char* slug : {"angular_integral", "angular_mean"})
-    of(slug)->says += ", the arms being those at the pulse's begin";
-  proved.push_back(proof_of_finite_set(all, of("segment")->lemmas[0]));
+  for (const char* claim : {"6.5-linear_integral", "6.5-linear_mean", "6.5-angular_integral"})
+    proof_of(proved, claim).says += ", the delta functions as wide as one likes";
+  for (const char* claim : {"6.5-angular_integral", "6.5-angular_mean"})
+    proof_of(proved, claim).says += ", the arms being those at the pulse's begin";
+  proved.push_back(proof_of_finite_set(all, proof_of(proved, "6.5-segment").lemmas[0]));
   for (Provable& p : proved) p.preamble = coq_source({"means"});
   return proved;
 }
