@@ -75,11 +75,13 @@ const std::string perpendicular = R"($\mathbf r\cdot\dot{\mathbf r}=0$)";
 
 /// Claims that are proved for the exercise's curve, in `at_time`, and for any curve on the sphere.
 void curve_and_frame(Claims& claims, Table& at_time, Table& table, const std::vector<Sample>& all) {
+  const auto this_curve = at_time.over(all);
+  const auto claim = table.over(all);
   const std::string numbers = R"(((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2))", root = R"(\sqrt{(1-t^2)^2+t^4})";
   constexpr double outside = 2;
-  at_time.formula(
+  this_curve(
       "position", 481,
-      R"(The position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$.)", all,
+      R"(The position is $((1-t^2)\cos\pi t,(1-t^2)\sin\pi t,t^2)$ times $\sqrt{(1-t^2)^2+t^4}$.)",
       {.quantity = R"($\mathbf r$)",
        .truth = {R"(the point at the angles atan2 of $1-t^2$ and $t^2$, and $\pi t$)",
                  []<class T>(const SampleOf<T>& s) {
@@ -90,89 +92,72 @@ void curve_and_frame(Claims& claims, Table& at_time, Table& table, const std::ve
        .printed = "$" + numbers + root + "$",
        .meant = "$" + numbers + "/" + root + "$",
        .why = filled(
-           R"(The bar above the root is lost in the text at hand: the three numbers are divided by their length. )"
-           R"(Multiplied by it they leave the unit sphere, of which the next lines speak, at every $t$ but 0 and )"
-           R"($\pm1$: at $t=@1$ they are @2 from the origin.)",
+           R"(The bar above the root is lost: the three numbers are divided by their length. Multiplied by it they )"
+           R"(leave the unit sphere at every $t$ but 0 and $\pm1$: at $t=@1$ they are @2 from the origin.)",
            {outside, pow(1 - pow(outside, 2), 2) + pow(outside, 4)})});
-  at_time.formula("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)", all,
-                  {.truth = {"the unit sphere", [](const auto&) { return 1.0; }},
-                   .printed = "$|" + numbers + "/" + root + "|$"});
-  claims.formula<Sample>("velocity_perpendicular", 485, R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)",
-                         all,
-                         {.truth = {"zero", [](const Sample&) { return 0.0; }},
-                          .printed = {perpendicular},
-                          .changes_that_hold = "a multiple of zero is zero"});
+  this_curve("on_the_sphere", 485, R"($|\mathbf r|=1$ for all $t$)",
+             {"the unit sphere", [](const auto&) { return 1.0; }}, "$|" + numbers + "/" + root + "|$");
+  claims.over(all)("velocity_perpendicular", 485, R"($\mathbf r\cdot\dot{\mathbf r}=0$ for all $t$)",
+                   {"zero", [](const Sample&) { return 0.0; }}, {perpendicular}, {},
+                   "a multiple of zero is zero");
   claims.statement<Sample>(
       "velocity_not_zero", 485,
       R"(Another column is $\mathbf u=\dot{\mathbf r}/|\dot{\mathbf r}|$ (our check: $\dot{\mathbf r}$ is not zero).)",
       all, {.printed = {R"($|\dot{\mathbf r}|>0$)"}, .near_misses = {{R"($|\dot{\mathbf r}|>2$)"}}});
-  table.formula(
+  claim(
       "rotation", 485,
       R"($R=[\mathbf r\ \mathbf u\ \mathbf r\times\mathbf u]$ is an orientation matrix (our reading: a rotation).)",
-      all,
-      {.quantity = R"($R^TR$ and $\det R$)",
-       .truth = {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
-       .printed = R"($(R^TR,\ \mathbf r\cdot\mathbf u\times(\mathbf r\times\mathbf u))$)"});
-  table.formula("skew_of_w", 493, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)", all,
-                {.truth = {R"(Skew of )" + w_by_frame.text, [](const auto& s) { return skew(s.w); }},
-                 .printed = R"($\dot RR^T$)",
-                 .near_misses = {R"($R^T\dot R$)"}});
+      {"the unit matrix and 1", [](const auto&) { return joined(identity(), 1); }},
+      R"($(R^TR,\ \mathbf r\cdot\mathbf u\times(\mathbf r\times\mathbf u))$)", R"($R^TR$ and $\det R$)");
+  claim("skew_of_w", 493, R"($\mathrm{Skew}(\mathbf w)=\dot RR^T$)",
+        {.truth = {R"(Skew of )" + w_by_frame.text, [](const auto& s) { return skew(s.w); }},
+         .printed = R"($\dot RR^T$)",
+         .near_misses = {R"($R^T\dot R$)"}});
 }
 
 const std::string no_product = "parallel vectors have no cross product, whatever their lengths and order";
 
 void derivative_of_frame(Table& table, const std::vector<Sample>& all) {
-  const auto line = [&](const std::string& slug, int number, const std::string& text) {
-    table.formula(slug, number, R"($\dot{\mathbf u}=)" + text, all,
-                  {.quantity = R"($\dot{\mathbf u}$)", .truth = u_dot_by_duals, .printed = "$" + text});
-  };
-  line(
+  const auto claim = table.over(all);
+  const AtTime b_dot_by_duals{"dual numbers", [](const auto& s) { return s.b_dot; }};
+  claim.equation(
       "quotient_rule", 499,
-      R"((|\dot{\mathbf r}|^2\ddot{\mathbf r}-(\dot{\mathbf r}\cdot\ddot{\mathbf r})\dot{\mathbf r})/|\dot{\mathbf r}|^3$)");
-  line("u_dot", 503, R"((\ddot{\mathbf r}-(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u)/|\dot{\mathbf r}|$)");
-  table.formula(
+      R"($\dot{\mathbf u}=(|\dot{\mathbf r}|^2\ddot{\mathbf r}-(\dot{\mathbf r}\cdot\ddot{\mathbf r})\dot{\mathbf r})/|\dot{\mathbf r}|^3$)",
+      u_dot_by_duals);
+  claim.equation(
+      "u_dot", 503,
+      R"($\dot{\mathbf u}=(\ddot{\mathbf r}-(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u)/|\dot{\mathbf r}|$)",
+      u_dot_by_duals);
+  claim.equation(
       "product_rule", 509,
       R"($\frac{d}{dt}(\mathbf r\times\mathbf u)=\dot{\mathbf r}\times\mathbf u+\mathbf r\times\dot{\mathbf u}$)",
-      all,
-      {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
-       .printed = R"($\dot{\mathbf r}\times\mathbf u+\mathbf r\times\dot{\mathbf u}$)",
-       .changes_that_hold = no_product});
-  table.formula("product_rule_reduced", 511,
-                R"($\frac{d}{dt}(\mathbf r\times\mathbf u)=\mathbf r\times\dot{\mathbf u}$)", all,
-                {.truth = {"dual numbers", [](const auto& s) { return s.b_dot; }},
-                 .printed = R"($\mathbf r\times\dot{\mathbf u}$)"});
-  table.formula("parallel", 513, R"($\dot{\mathbf r}\times\mathbf u=0$, as they are parallel)", all,
-                {.truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
-                 .printed = R"($\dot{\mathbf r}\times\mathbf u$)",
-                 .near_misses = {R"($\mathbf r\times\mathbf u$)"},
-                 .changes_that_hold = no_product});
-  table.formula(
-      "columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)", all,
-      {.truth = {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
-       .printed =
-           R"($\begin{pmatrix}\dot{\mathbf r}&\dot{\mathbf u}&\mathbf r\times\dot{\mathbf u}\end{pmatrix}$)"});
+      b_dot_by_duals, no_product);
+  claim.equation("product_rule_reduced", 511,
+                 R"($\frac{d}{dt}(\mathbf r\times\mathbf u)=\mathbf r\times\dot{\mathbf u}$)",
+                 b_dot_by_duals);
+  claim("parallel", 513, R"($\dot{\mathbf r}\times\mathbf u=0$, as they are parallel)",
+        {.truth = {"zero", []<class T>(const SampleOf<T>&) { return Vector<T>{}; }},
+         .printed = R"($\dot{\mathbf r}\times\mathbf u$)",
+         .near_misses = {R"($\mathbf r\times\mathbf u$)"},
+         .changes_that_hold = no_product});
+  claim("columns", 515, R"($\dot R=[\dot{\mathbf r}\ \dot{\mathbf u}\ \mathbf r\times\dot{\mathbf u}]$)",
+        {"the frame by dual numbers", [](const auto& s) { return s.R_dot; }},
+        R"($\begin{pmatrix}\dot{\mathbf r}&\dot{\mathbf u}&\mathbf r\times\dot{\mathbf u}\end{pmatrix}$)");
 
   const AtTime product_of_frames{R"($\dot RR^T$, the frame by dual numbers)",
                                  [](const auto& s) { return s.R_dot * transpose(s.R); }};
   const std::string products =
       R"(\dot{\mathbf r}\mathbf r^T+\dot{\mathbf u}\mathbf u^T+(\mathbf r\times\dot{\mathbf u})(\mathbf r\times\mathbf u)^T)";
-  table.formula("outer_products", 531, R"($\dot RR^T=)" + products + "$", all,
-                {.truth = product_of_frames, .printed = "$" + products + "$"});
-  table.formula("unskew_is_inverse", 533,
-                R"(Unskew is the inverse of Skew: $\mathrm{Skew}(\mathrm{Unskew}(S))=S$.)", all,
-                {.quantity = R"($\dot RR^T$)",
-                 .truth = product_of_frames,
-                 .printed = R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)"});
-  table.formula("angular_velocity", 535, R"($\mathbf w=\mathrm{Unskew}()" + products + ")$", all,
-                {.truth = w_by_frame, .printed = R"($\mathrm{Unskew}()" + products + ")$"});
-  table.formula(
+  claim.equation("outer_products", 531, R"($\dot RR^T=)" + products + "$", product_of_frames);
+  claim("unskew_is_inverse", 533, R"(Unskew is the inverse of Skew: $\mathrm{Skew}(\mathrm{Unskew}(S))=S$.)",
+        product_of_frames, R"($\mathrm{Skew}(\mathrm{Unskew}(\dot RR^T))$)", R"($\dot RR^T$)");
+  claim.equation("angular_velocity", 535, R"($\mathbf w=\mathrm{Unskew}()" + products + ")$", w_by_frame);
+  claim(
       "only_r_v_a", 537,
       R"(Functions for $\mathbf r$, $\dot{\mathbf r}$ and $\ddot{\mathbf r}$ are all that $\mathbf w$ needs (our formula has these alone).)",
-      all,
-      {.quantity = R"($\mathbf w$)",
-       .truth = {R"($\mathrm{Unskew}(\dot RR^T)$, the frame by dual numbers)",
-                 [](const auto& s) { return unskew(s.R_dot * transpose(s.R)); }},
-       .printed = w_by_frame.text});
+      {R"($\mathrm{Unskew}(\dot RR^T)$, the frame by dual numbers)",
+       [](const auto& s) { return unskew(s.R_dot * transpose(s.R)); }},
+      w_by_frame.text, R"($\mathbf w$)");
 }
 
 // ---- the listing ------------------------------------------------------------------------------------------
@@ -260,6 +245,7 @@ AtTime with_error() {
 }
 
 void listing(Claims& claims, Table& table, const std::vector<Sample>& all) {
+  const auto claim = table.over(all);
   const Sample shown(shown_time);
   const Vector3 shown_by_listing = w_function(shown);
   const std::vector<double> stationary = stationary_times();
@@ -274,12 +260,11 @@ void listing(Claims& claims, Table& table, const std::vector<Sample>& all) {
        .meant = letters(R"($\mathbf r$, $\mathbf v$, $\mathbf a$)", {"r", "v", "a"}),
        .near_misses = {letters(R"($\mathbf r$, $\mathbf u$, $\mathbf a$)", {"r", "u", "a"})},
        .why =
-           R"(Vector, probably the name of a typesetting command, is printed before its letter. One of the )"
-           R"(three functions is that of the velocity $\mathbf v=\dot{\mathbf r}$, `VFunction` in the )"
-           R"(listing.)",
+           R"(Vector, probably the name of a typesetting command, is printed before the letter of the velocity )"
+           R"($\mathbf v=\dot{\mathbf r}$, `VFunction` in the listing.)",
        .kind = Fault::term});
-  table.formula(
-      "listing_u_dot", 561, R"(The listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$.)", all,
+  claim(
+      "listing_u_dot", 561, R"(The listing's `UDot = (A - R.Dot(U)*U)/length` is $\dot{\mathbf u}$.)",
       {.quantity = R"($\dot{\mathbf u}$)",
        .truth = u_dot_by_duals,
        .printed = R"($(\ddot{\mathbf r}-(\mathbf r\cdot\mathbf u)\mathbf u)/|\dot{\mathbf r}|$)",
@@ -287,11 +272,9 @@ void listing(Claims& claims, Table& table, const std::vector<Sample>& all) {
        .kind = Fault::listing,
        .root = "R.Dot(U) for A.Dot(U)",
        .why = filled(
-           R"(The formula above the listing takes the acceleration's component, )"
-           R"($(\ddot{\mathbf r}\cdot\mathbf u)\mathbf u$. The listing takes the position's, which is zero (its `R` is )"
-           R"($\mathbf r$, not the orientation matrix $R$): its `UDot` is $\ddot{\mathbf r}/|\dot{\mathbf r}|$, not )"
-           R"(even perpendicular to $\mathbf u$: at $t=@2$ the two have the dot product $@2$. It should read )"
-           R"(`A.Dot(U)`.)",
+           R"(The formula above the listing takes the acceleration's component. The listing takes that of its `R`, the )"
+           R"(position, which is zero: its `UDot` is $\ddot{\mathbf r}/|\dot{\mathbf r}|$, not even perpendicular to )"
+           R"($\mathbf u$. At $t=@2$ the two have the dot product $@2$. It should read `A.Dot(U)`.)",
            {shown.t, dot(listed_u_dot(shown.m, false), shown.u)})});
   using Out = Vector3&;
   claims.add(
@@ -308,12 +291,12 @@ void listing(Claims& claims, Table& table, const std::vector<Sample>& all) {
       return values(W[0], middle * W[1], W[2]);
     };
   };
-  table.formula("listing_signs", 579,
-                R"(The listing picks $\mathbf w$ out of $\dot RR^T$ with the signs $-$, $+$, $-$.)", all,
-                {.quantity = R"(`W` for the right `UDot`)",
-                 .truth = w_by_frame,
-                 .printed = {R"($-$, $+$, $-$)", signs(1)},
-                 .near_misses = {{R"($-$, $-$, $-$)", signs(-1)}}});
+  claim("listing_signs", 579,
+        R"(The listing picks $\mathbf w$ out of $\dot RR^T$ with the signs $-$, $+$, $-$.)",
+        {.quantity = R"(`W` for the right `UDot`)",
+         .truth = w_by_frame,
+         .printed = {R"($-$, $+$, $-$)", signs(1)},
+         .near_misses = {{R"($-$, $-$, $-$)", signs(-1)}}});
   const auto read = [&](const std::string& text, const AtTime& formula) {
     return Reading{text, {compare("`W`", formula, w_by_frame, all)}};
   };
@@ -327,13 +310,12 @@ void listing(Claims& claims, Table& table, const std::vector<Sample>& all) {
        .near_misses = {read("with `A.Dot(U)`, and + for - in `W.Z`",
                             mended("`W` with another sign in `W.Z`", -1))},
        .why = filled(
-           R"(The signs and the pairing of the components are right, but `UDot` is not (see `2.7-listing_u_dot`). )"
-           R"(What it adds to $\dot RR^T$ is symmetric, so that the three entries picked are no longer those of a skew )"
-           R"(matrix: the result is off by $c\,(r_yr_z,-r_xr_z,r_xr_y)$, )"
+           R"(The signs are right, but what the wrong `UDot` (see `2.7-listing_u_dot`) adds to $\dot RR^T$ is )"
+           R"(symmetric: the result is off by $c\,(r_yr_z,-r_xr_z,r_xr_y)$, )"
            R"($c=\ddot{\mathbf r}\cdot\mathbf u/|\dot{\mathbf r}|$. At $t=@2$ the listing gives )"
-           R"($(@4,@5,@5)$, and $\mathbf w=(@5,@5,@5)$. It is right at @1 times only: )"
-           R"(where the speed is stationary, $c=0$ at $t=0$, $\pm@4$ and $\pm@5$, and at the pole, )"
-           R"($\mathbf r=\mathbf k$ at $t=\pm1$; between them it is off by up to @2.)",
+           R"($(@4,@5,@5)$, and $\mathbf w=(@5,@5,@5)$. It is right at @1 times only: where the speed is )"
+           R"(stationary, $c=0$ at $t=0$, $\pm@4$ and $\pm@5$, and at the pole, $\mathbf r=\mathbf k$ at )"
+           R"($t=\pm1$. Between them it is off by up to @2.)",
            {shown.t, shown_by_listing[0], shown_by_listing[1], shown_by_listing[2], shown.w[0], shown.w[1],
             shown.w[2], right, first, last, most}),
        .kind = Fault::listing,
@@ -367,106 +349,6 @@ std::vector<Root> roots() {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-/// The speed as the letter l, the velocity l u, and the acceleration in the frame of r, u and b.
-constexpr const char* by_frame = R"(
-  rename H into rr, H0 into rv, H1 into va, H2 into vv;
-  pose proof (sqrt_lt_R0 _ vv) as positive;
-  assert (square : sqrt (v0 * v0 + v1 * v1 + v2 * v2) * sqrt (v0 * v0 + v1 * v1 + v2 * v2) =
-      v0 * v0 + v1 * v1 + v2 * v2) by (apply sqrt_sqrt; lra);
-  revert positive square; generalize (sqrt (v0 * v0 + v1 * v1 + v2 * v2)) as l; intros l positive square;
-  rewrite <- ?square; rewrite <- square in va;
-  set (u0 := v0 / l); set (u1 := v1 / l); set (u2 := v2 / l);
-  assert (w0 : v0 = l * u0) by (unfold u0; field; lra);
-  assert (w1 : v1 = l * u1) by (unfold u1; field; lra);
-  assert (w2 : v2 = l * u2) by (unfold u2; field; lra);
-  clearbody u0 u1 u2; subst v0 v1 v2;
-  assert (uu : u0 * u0 + u1 * u1 + u2 * u2 = 1) by (apply Rmult_eq_reg_l with (l * l); [lra | nra]);
-  assert (ru : r0 * u0 + r1 * u1 + r2 * u2 = 0) by (apply Rmult_eq_reg_l with l; [lra | lra]);
-  destruct (orthonormal _ _ _ _ _ _ rr uu ru) as
-    ((bb & rb & ub) & (x0 & x1 & x2) & (y0 & y1 & y2) & (z0 & z1 & z2) & in_frame);
-  destruct (in_frame a0 a1 a2) as (f0 & f1 & f2);
-  destruct (in_frame 0 0 1) as (k20 & k21 & _); destruct (in_frame 0 1 0) as (k10 & _); clear in_frame;
-  replace (r0 * a0 + r1 * a1 + r2 * a2) with (- (l * l)) in f0, f1, f2 by lra;
-  set (b0 := r1 * u2 - r2 * u1) in *; set (b1 := r2 * u0 - r0 * u2) in *; set (b2 := r0 * u1 - r1 * u0) in *;
-  set (b := u0 * a0 + u1 * a1 + u2 * a2) in *; set (c := b0 * a0 + b1 * a1 + b2 * a2) in *;
-  repeat match goal with
-  | |- context [?x / (2 * l)] => replace (x / (2 * l)) with b by (unfold b; field; lra)
-  | |- context [?x / (l * l)] => replace (x / (l * l)) with (c / l) by (unfold c, b0, b1, b2; field; lra)
-  end;
-  try replace (a0 * u0 + a1 * u1 + a2 * u2) with b by (unfold b; ring);
-  try replace (l * u0 * a0 + l * u1 * a1 + l * u2 * a2) with (l * b) by (unfold b; ring);
-  clearbody b c; clearbody b0 b1 b2; subst a0 a1 a2;
-  repeat match goal with
-  | |- context [(- (l * l) * ?r + b * ?u + c * ?n - ?x) / l] =>
-    replace ((- (l * l) * r + b * u + c * n - x) / l) with (c / l * n - l * r) by (field; lra)
-  end;
-  try replace (r1 * (c / l * b2 - l * r2) - r2 * (c / l * b1 - l * r1)) with (- (c / l) * u0) by (field [z0]; lra);
-  try replace (l * u1 * u2 + r1 * (c / l * b2 - l * r2) - (l * u2 * u1 + r2 * (c / l * b1 - l * r1))) with (- (c / l) * u0) by (field [z0]; lra);
-  try replace (r2 * (c / l * b0 - l * r0) - r0 * (c / l * b2 - l * r2)) with (- (c / l) * u1) by (field [z1]; lra);
-  try replace (l * u2 * u0 + r2 * (c / l * b0 - l * r0) - (l * u0 * u2 + r0 * (c / l * b2 - l * r2))) with (- (c / l) * u1) by (field [z1]; lra);
-  try replace (r0 * (c / l * b1 - l * r1) - r1 * (c / l * b0 - l * r0)) with (- (c / l) * u2) by (field [z2]; lra);
-  try replace (l * u0 * u1 + r0 * (c / l * b1 - l * r1) - (l * u1 * u0 + r1 * (c / l * b0 - l * r0))) with (- (c / l) * u2) by (field [z2]; lra);
-  try rewrite ru;
-  repeat match goal with
-  | |- context [(- (l * l) * ?r + b * ?u + c * ?n - 0 * ?u) / l] =>
-    replace ((- (l * l) * r + b * u + c * n - 0 * u) / l) with (b / l * u + c / l * n - l * r)
-      by (field; lra)
-  end;
-  try replace (r1 * (b / l * u2 + c / l * b2 - l * r2) - r2 * (b / l * u1 + c / l * b1 - l * r1)) with (b / l * b0 - c / l * u0)
-    by (field [x0 z0]; lra);
-  try replace (r2 * (b / l * u0 + c / l * b0 - l * r0) - r0 * (b / l * u2 + c / l * b2 - l * r2)) with (b / l * b1 - c / l * u1)
-    by (field [x1 z1]; lra);
-  try replace (r0 * (b / l * u1 + c / l * b1 - l * r1) - r1 * (b / l * u0 + c / l * b0 - l * r0)) with (b / l * b2 - c / l * u2)
-    by (field [x2 z2]; lra);
-  assert (bb12 : b1 * b2 = - r1 * r2 - u1 * u2) by lra;
-  assert (bb02 : b0 * b2 = - r0 * r2 - u0 * u2) by lra;
-  assert (bb01 : b0 * b1 = - r0 * r1 - u0 * u1) by lra;
-  assert (rr0 : r0 * r0 = 1 - r1 * r1 - r2 * r2) by lra;
-  assert (uu0 : u0 * u0 = 1 - u1 * u1 - u2 * u2) by lra;
-  assert (bb0 : b0 * b0 = 1 - b1 * b1 - b2 * b2) by lra;
-  assert (ru0 : r0 * u0 = - r1 * u1 - r2 * u2) by lra;
-  assert (rb0 : r0 * b0 = - r1 * b1 - r2 * b2) by lra;
-  assert (ub0 : u0 * b0 = - u1 * b1 - u2 * b2) by lra;
-  first
-    [ lra | field; lra | field [z0 z1 z2 y0 y1 y2 x0 x1 x2]; lra | field [y0 y1 y2 rr0]; lra | field [x0 y0 bb12]; lra | field [x1 y1 bb02]; lra | field [x2 y2 bb01]; lra
-     | field [rr0 uu0 bb0 ru0 rb0 ub0]; lra ])";
-
-/// r.r is constant, and half its derivative is zero.
-constexpr const char* by_constant = R"(
-  rename H into unit;
-  assert (still : x t * dx + y t * dy + z t * dz = 0)
-    by (assert (changes : is_derive (fun s => x s * x s + y s * y s + z s * z s) t
-                            (2 * (x t * dx + y t * dy + z t * dz)))
-          by (auto_derive;
-              [ repeat split; eexists; eassumption
-              | change (fun s => x s) with x; change (fun s => y s) with y; change (fun s => z s) with z;
-                rewrite (is_derive_unique x t dx), (is_derive_unique y t dy), (is_derive_unique z t dz)
-                  by assumption; ring ]);
-        assert (stays : is_derive (fun s => x s * x s + y s * y s + z s * z s) t 0)
-          by (apply (is_derive_ext (fun _ => 1)); [intros; symmetry; apply unit | apply @is_derive_const]);
-        apply is_derive_unique in changes; apply is_derive_unique in stays; lra);
-  specialize (unit t); generalize dependent (x t); intros x'; generalize dependent (y t); intros y';
-  generalize dependent (z t); intros z' *; nsatz)";
-
-/// The root is not zero.
-constexpr const char* by_length = R"(
-  replace ((1 - t ^ 2) ^ 2 + t ^ 4) with (t * t * (t * t) + (1 - t * t) * (1 - t * t)) by ring;
-  assert (positive : 0 < t * t * (t * t) + (1 - t * t) * (1 - t * t)) by nra;
-  rewrite ?cos_atan2, ?sin_atan2 by lra;
-  replace ((1 - t * t) * (1 - t * t) + t * t * (t * t)) with (t * t * (t * t) + (1 - t * t) * (1 - t * t))
-    by ring;
-  pose proof (sqrt_lt_R0 _ positive) as longer;
-  assert (square : sqrt (t * t * (t * t) + (1 - t * t) * (1 - t * t)) *
-                     sqrt (t * t * (t * t) + (1 - t * t) * (1 - t * t)) =
-                   t * t * (t * t) + (1 - t * t) * (1 - t * t)) by (apply sqrt_sqrt; lra);
-  set (q := sqrt (t * t * (t * t) + (1 - t * t) * (1 - t * t))) in *; clearbody q;
-  assert (circle : sin (PI * t) * sin (PI * t) = 1 - cos (PI * t) * cos (PI * t))
-    by (pose proof (sin2_cos2 (PI * t)) as all; unfold Rsqr in all; lra);
-  try match goal with |- context [sqrt ?x] => rewrite (root_is x 1) by (try lra; field [circle square]; lra) end;
-  first [reflexivity | field; lra])";
-
-constexpr const char* by_bounds = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
-
 Vector<Shortened> lettered(const std::array<std::string, 3>& names) {
   return {Shortened::letter(names[0]), Shortened::letter(names[1]), Shortened::letter(names[2])};
 }
@@ -483,7 +365,7 @@ Provable proof_of_perpendicular() {
              {"is_derive y t dy"},
              {"is_derive z t dz"}},
             {AtTime(perpendicular).recorded(any)[0] == 0},
-            by_constant}}};
+            "by_constant x y z t dx dy dz H"}}};
 }
 
 Provables proofs() {
@@ -492,34 +374,34 @@ Provables proofs() {
   curve_and_frame(claims, at_time, table, {});
   derivative_of_frame(table, {});
   listing(claims, table, {});
-  table.formula("listing_result", 585, "", {},
-                {.truth = w_by_frame, .printed = listed(), .corrected = mended("with `A.Dot(U)`", 1)});
+  table.over({})("listing_result", 585, "",
+                 {.truth = w_by_frame, .printed = listed(), .corrected = mended("with `A.Dot(U)`", 1)});
   ForAll<SampleOf> all{
       .any = {0.0,
               {lettered({"r0", "r1", "r2"}), lettered({"v0", "v1", "v2"}), lettered({"a0", "a1", "a2"})}},
       .letters = "(r0 r1 r2 v0 v1 v2 a0 a1 a2 : R)",
-      .tactic = by_frame,
+      .tactic = "by_frame r0 r1 r2 v0 v1 v2 a0 a1 a2 H H0 H1 H2",
       .says = "it holds for any motion on the sphere that does not rest",
       .example = {0, {{0.48, 0.6, 0.64}, {0.8, 0, -0.6}, {0.32, -0.6, -1.24}}}};
   const auto& [r, v, a] = all.any.m;
   all.given = {dot(r, r).expression() == 1, dot(r, v).expression() == 0,
                (dot(v, v) + dot(r, a)).expression() == 0, above(dot(v, v).expression(), 0)};
   Provables proved = table.proofs("2.7", all);
-  Provable& result = *std::ranges::find(proved, "2.7-listing_result", &Provable::claim);
+  Provable& result = proof_of(proved, "2.7-listing_result");
   result.says =
       "as corrected " + all.says + "; as printed it has the stated error, for any motion and at an example";
   result.lemmas.insert(result.lemmas.begin() + 1,
                        {"printed_with_error", all.letters, all.given,
                         equal(listed().recorded(all.any), with_error().recorded(all.any)), all.tactic});
   all.any.t = Shortened::letter("t"), all.letters = "(t : R)", all.given.clear();
-  all.tactic = by_length, all.says = "it holds at all times", all.example = Sample(2);
-  std::ranges::move(at_time.proofs("2.7", all), std::back_inserter(proved));
+  all.tactic = "by_length t", all.says = "it holds at all times", all.example = Sample(2);
+  append(proved, at_time.proofs("2.7", all));
   proved.push_back(proof_of_perpendicular());
   for (Provable& p : proved) {
-    p.preamble =
-        coq_source({"orthonormal", "root", "atan2"}) + "From Coquelicot Require Import AutoDerive.\n";
+    p.preamble = coq_source({"moving_frame"});
     for (Lemma& lemma : p.lemmas)
-      if (lemma.name.ends_with("differs")) lemma.tactic = by_bounds;
+      if (lemma.name.ends_with("differs"))
+        lemma.tactic = "rewrite ?cos_atan2, ?sin_atan2 by interval; interval";
   }
   return proved;
 }
