@@ -29,26 +29,18 @@ std::array<T, 3> velocity(const T& q, const std::type_identity_t<T>& v) {
 template <class T>
 struct SampleOf {
   T m, g, q, v, a;
-  SampleOf() = default;
-  explicit SampleOf(Random& random)
-      : m(abs(random.magnitude(0.1, 10))),
-        g(abs(random.magnitude(0.1, 10))),
-        q(random.magnitude(0.01, 2)),
-        v(random.magnitude(0.01, 3)),
-        a(random.magnitude(0.01, 3)) {}
-  std::array<T*, 5> letters() { return {&m, &g, &q, &v, &a}; }
+  Letters<T> table() {
+    return {{"m", m, positive_size(0.1, 10)},
+            {"g", g, positive_size(0.1, 10)},
+            {"q", q, either_sign(0.01, 2)},
+            {R"(\dot q)", v, either_sign(0.01, 3), "v"},
+            {R"(\ddot q)", a, either_sign(0.01, 3), "a"}};
+  }
   TypesetIn<T> typeset() const {
     const auto u = velocity(q, v);
-    return {{"m", m},
-            {"g", g},
-            {"q", q},
-            {R"(\dot q)", v},
-            {R"(\ddot q)", a},
-            {R"(\dot x)", u},
-            {R"(\dot x_3)", u[2]},
-            {R"(\ddot x)", acceleration()}};
+    return {{R"(\dot x)", u}, {R"(\dot x_3)", u[2]}, {R"(\ddot x)", acceleration()}};
   }
-  std::string where() const { return listed(typeset(), 5); }
+  std::string where() const { return listed(typeset_of(*this), 5); }
   auto kinetic() const {
     return [m = m]<class X>(const X& along, const X& speed, const X&) {
       const auto u = velocity(along, speed);
@@ -87,73 +79,64 @@ using Table = ProvableClaims<SampleOf>;
 void energies(Table& table, const std::vector<Sample>& samples) {
   const ProvableFormula<SampleOf> energy{R"($\frac m2|\dot x|^2$, $\dot x$ by dual numbers)",
                                          [](const auto& s) { return s.kinetic()(s.q, s.v, s.v); }};
-  const auto claim = [&](std::string_view slug, int line, const std::string& before,
-                         const std::string& formula, const ProvableFormula<SampleOf>& truth,
-                         const std::string& after = "$") {
-    table.formula(slug, line, before + formula + after, samples,
-                  {.truth = truth, .printed = "$" + formula + "$"});
-  };
-  claim("tangent", 1375, "The $q$-derivative is $dx/dq=", "(1,2q,3q^2)",
-        {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, 1); }}, "$.");
-  table.formula("velocity", 1375, R"(The $t$-derivative is $\dot x=(dx/dq)\,\dot q$.)", samples,
-                {.truth = {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, s.v); }},
-                 .printed = R"($\dot q\,(1,2q,3q^2)$)"});
-  table.formula(
-      "kinetic_energy_by_speed", 1379, R"(The kinetic energy is $T=\frac m2|\dot x|$.)", samples,
+  const auto claim = table.over(samples);
+  claim("tangent", 1375, "The $q$-derivative is $dx/dq=(1,2q,3q^2)$.",
+        {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, 1); }}, "$(1,2q,3q^2)$");
+  claim("velocity", 1375, R"(The $t$-derivative is $\dot x=(dx/dq)\,\dot q$.)",
+        {"the curve by dual numbers", [](const auto& s) { return velocity(s.q, s.v); }},
+        R"($\dot q\,(1,2q,3q^2)$)");
+  claim(
+      "kinetic_energy_by_speed", 1379, R"(The kinetic energy is $T=\frac m2|\dot x|$.)",
       {.truth = energy,
-       .printed = {R"($\frac m2|\dot x|$)"},
-       .meant = {R"($\frac m2|\dot x|^2$)"},
+       .printed = R"($\frac m2|\dot x|$)",
+       .meant = R"($\frac m2|\dot x|^2$)",
        .kind = Fault::formula,
        .why = filled(
-           R"(The speed's exponent is missing; the next form of the line, with $\dot q^2$, comes from the )"
-           R"(square. A bead twice as fast has @1 times the energy, and by the printed form @1 times.)",
+           R"(The speed's exponent is missing; the next form of the line has $\dot q^2$. A bead twice as fast )"
+           "has @1 times the energy, and by the printed form @1 times.",
            {pow(2, 2), pow(2, 1)})});
-  claim("kinetic_energy", 1381, "$T=", R"(\frac m2(1+4q^2+9q^4)\dot q^2)", energy);
-  claim("dT_dq", 1385, R"($\partial T/\partial q=)", R"(2m(2q+9q^3)\dot q^2)",
-        {"$T$ by dual numbers", [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v); }});
-  claim("dT_dqdot", 1387, R"($\partial T/\partial\dot q=)", R"(m(1+4q^2+9q^4)\dot q)",
-        {"$T$ by dual numbers", [](const auto& s) { return df_dv(s.kinetic(), s.q, s.v); }});
-  claim("momentum_rate", 1393, R"($\frac d{dt}\,\partial T/\partial\dot q=)",
-        R"(m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2)", {"$T$ by nested dual numbers", [](const auto& s) {
-                                                           return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a);
-                                                         }});
-  claim("force", 1395, R"(The generalized force is $F_q=-mg(0,0,1)\cdot(1,2q,3q^2)=)", "-3mgq^2",
+  claim.equation("kinetic_energy", 1381, R"($T=\frac m2(1+4q^2+9q^4)\dot q^2$)", energy);
+  claim.equation("dT_dq", 1385, R"($\partial T/\partial q=2m(2q+9q^3)\dot q^2$)",
+                 {"$T$ by dual numbers", [](const auto& s) { return df_dq(s.kinetic(), s.q, s.v); }});
+  claim.equation("dT_dqdot", 1387, R"($\partial T/\partial\dot q=m(1+4q^2+9q^4)\dot q$)",
+                 {"$T$ by dual numbers", [](const auto& s) { return df_dv(s.kinetic(), s.q, s.v); }});
+  claim.equation("momentum_rate", 1393,
+                 R"($\frac d{dt}\,\partial T/\partial\dot q=m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2$)",
+                 {"$T$ by nested dual numbers",
+                  [](const auto& s) { return rate_of_df_dv(s.kinetic(), s.q, s.v, s.a); }});
+  claim("force", 1395, R"(The generalized force is $F_q=-mg(0,0,1)\cdot(1,2q,3q^2)=-3mgq^2$.)",
         {R"($\partial L/\partial q$ at rest by dual numbers)",
          [](const auto& s) { return df_dq(s.lagrangian(), s.q, 0); }},
-        "$.");
-  table.formula(
-      "lagrange_equation", 1407, R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2-2m(2q+9q^3)\dot q^2=-3mgq^2$)",
-      samples,
-      {.truth = {R"($\frac d{dt}\,\partial L/\partial\dot q-\partial L/\partial q$ by nested dual numbers)",
-                 [](const auto& s) {
-                   return rate_of_df_dv(s.lagrangian(), s.q, s.v, s.a) - df_dq(s.lagrangian(), s.q, s.v);
-                 }},
-       .printed = R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)"});
+        "$-3mgq^2$");
+  claim("lagrange_equation", 1407,
+        R"($m(1+4q^2+9q^4)\ddot q+4m(2q+9q^3)\dot q^2-2m(2q+9q^3)\dot q^2=-3mgq^2$)",
+        {R"($\frac d{dt}\,\partial L/\partial\dot q-\partial L/\partial q$ by nested dual numbers)",
+         [](const auto& s) {
+           return rate_of_df_dv(s.lagrangian(), s.q, s.v, s.a) - df_dq(s.lagrangian(), s.q, s.v);
+         }},
+        R"($m(1+4q^2+9q^4)\ddot q+(4m-2m)(2q+9q^3)\dot q^2+3mgq^2$)");
 }
 
 const std::string solved = R"($-(3gq^2+2q(2+9q^2)\dot q^2)/(1+4q^2+9q^4)$)",
                   power = R"($m\ddot x\cdot\dot x=-mg\dot x_3$)";
 
 void accelerations(Claims& claims, const std::vector<Sample>& samples) {
-  claims.formula<Sample>(
+  const auto claim = claims.over(samples);
+  claim(
       "equation_of_motion", 1411,
       R"($\ddot q=-\frac{3gq^2+2q(2+9q^2)\dot q^2}{1+4q^2+9q^4}$ (the minus sign is read as that of the whole fraction))",
-      samples,
       {.quantity = R"($\ddot q$)",
        .truth = {R"(Lagrange's equation by nested dual numbers, at any mass)", &Sample::by_lagrange},
        .other_routes = {{R"($\ddot x_1$ by gravity and the wire's two forces in Cartesian coordinates)",
                          &Sample::by_forces},
                         {"the model that is run", &Sample::by_model}},
        .printed = {solved}});
-  claims.formula<Sample>(
+  claim(
       "only_gravity", 1415,
       "Only gravity acts on the bead (our reading: of all that does work; the wire pushes as well, at right "
       "angles to its curve).",
-      samples,
-      {.quantity =
-           R"(the power of the force on the bead less that of gravity, $\ddot x$ by Lagrange's equation)",
-       .truth = {"$0$"},
-       .printed = {power}});
+      {"$0$"}, {power},
+      R"(the power of the force on the bead less that of gravity, $\ddot x$ by Lagrange's equation)");
 }
 
 // ---- the book's run ---------------------------------------------------------------------------------------
@@ -176,11 +159,7 @@ std::vector<State> book_run() {
 }
 
 /// q'' of the book's bead.
-double force(const State& x) {
-  Sample bead;
-  bead.m = bead.g = 1, bead.q = x[0], bead.v = x[1];
-  return bead.by_lagrange();
-}
+double force(const State& x) { return Sample{1, 1, x[0], x[1], 0}.by_lagrange(); }
 
 /// A step of the book's run. The changes in a step are from its beginning to its end.
 struct Step {
@@ -221,19 +200,15 @@ std::vector<At> later(const std::vector<State>& run) {
 void run_down(Claims& claims, const std::vector<State>& run) {
   std::vector<Step> steps;
   for (std::size_t i = 0; i + 1 < run.size(); ++i) steps.push_back({run[i], run[i + 1]});
-  Sample still;
-  still.m = still.g = still.q = 1, still.v = still.a = 0;
-  claims.formula<Sample>(
+  claims.over(std::vector<Sample>{{1, 1, 1, 0, 0}})(
       "start", 1375,
       R"(The initial position is $(1,1,1)$, the initial velocity $(0,0,0)$: $q(0)=1$, $\dot q(0)=0$.)",
-      {still},
-      {.quantity = "position and velocity",
-       .truth = {R"(the curve and its tangent at $q=1$, $\dot q=0$)",
-                 [](const Sample& s) {
-                   const auto x = curve(s.q), u = velocity(s.q, s.v);
-                   return values(x[0], x[1], x[2], u[0], u[1], u[2]);
-                 }},
-       .printed = {R"($(1,\ 1,\ 1,\ 0,\ 0,\ 0)$)"}});
+      {R"(the curve and its tangent at $q=1$, $\dot q=0$)",
+       [](const Sample& s) {
+         const auto x = curve(s.q), u = velocity(s.q, s.v);
+         return values(x[0], x[1], x[2], u[0], u[1], u[2]);
+       }},
+      {R"($(1,\ 1,\ 1,\ 0,\ 0,\ 0)$)"}, "position and velocity");
 
   const auto positive_after = std::ranges::count_if(steps, [](const Step& s) { return force(s.to) > 0; });
   claims.statement<Step>(
@@ -244,10 +219,9 @@ void run_down(Claims& claims, const std::vector<State>& run) {
        .kind = Fault::counterexample,
        .root = "beyond the origin",
        .why = filled(
-           R"(The second term has the sign of $-q$, and at $q=0$ the first is zero as well. There )"
-           R"($\ddot q=@1$ at $\dot q=-1$, and beyond it $\ddot q$ is positive, in the book's own run after )"
-           "each of the last @4 of its @4 steps. (The samples are the beginnings of its steps, and the first of these ends "
-           "beyond the origin.)",
+           R"(The second term has the sign of $-q$. At $q=0$ $\ddot q=@1$, and beyond it $\ddot q$ is positive, )"
+           "in the book's own run after each of the last @4 of its @4 steps. (The samples are the beginnings of "
+           "its steps, and the first of these ends beyond the origin.)",
            {force({0, -1}), static_cast<double>(positive_after), book_steps})});
 
   const auto at_origin = event_of<ode::Fehlberg78>(OneCoordinate<double>{{1, 1}}, 1e-12).value.after;
@@ -271,8 +245,8 @@ void run_down(Claims& claims, const std::vector<State>& run) {
        .near_misses = {{R"($\dot q$ decreases until $q=-0.01$, and increases from then on)",
                         {turns_at(-0.01)}}},
        .why = filled(
-           R"($\dot q$ is least at the origin, $-\sqrt{2g}$, and rises towards zero afterwards. The two rows )"
-           R"(printed show it, computed again: $\dot q=@9$ at $t=@4$ and $@9$ at $t=@4$.)",
+           R"($\dot q$ rises towards zero beyond the origin. The two rows printed show it, computed again: )"
+           R"($\dot q=@9$ at $t=@4$ and $@9$ at $t=@4$.)",
            {run[2240][1], 2240 * book_step, run[2241][1], 2241 * book_step}),
        .kind = Fault::counterexample,
        .root = "beyond the origin"});
@@ -301,11 +275,10 @@ void arrivals(Claims& claims, const std::vector<State>& run, const Reference& tr
   const Tolerance integrated{1e-10, "a hundred tolerances of the integration"};
 
   const auto time_at = [&](double g) { return truth("03_07_arrival", {1, g}).value[0]; };
-  claims.formula<Fall>("needs_g", 1417, "To find the time to the origin one has to select $g$.",
-                       {{1, time_at(1), time_at(1)}, {4, time_at(4), time_at(1)}},
-                       {.quantity = "the time to the origin at $g$, $T_1$ being that at $g=1$",
-                        .truth = {"table", [](const Fall& s) { return s.T; }},
-                        .printed = {R"($T_1/\sqrt g$)"}});
+  claims.over(std::vector<Fall>{{1, time_at(1), time_at(1)}, {4, time_at(4), time_at(1)}})(
+      "needs_g", 1417, "To find the time to the origin one has to select $g$.",
+      {"table", [](const Fall& s) { return s.T; }}, {R"($T_1/\sqrt g$)"},
+      "the time to the origin at $g$, $T_1$ being that at $g=1$");
 
   const auto from_origin = [&](std::string text, const Route& position) -> Reading {
     return {std::move(text), {{"position", position, {"the origin", {0, 0, 0}}, integrated, 1}}};
@@ -339,17 +312,17 @@ void arrivals(Claims& claims, const std::vector<State>& run, const Reference& tr
              as_written("$q$", q,
                         {"table", truth("03_07_slide", {1, 1, static_cast<double>(step) / 1000}).value[0]})}};
   };
-  const auto row = [&](const char* slug, int line, const char* t, const Reading& printed,
-                       const Reading& other_q, const Reading& other_v) {
-    claims.add(slug, line, "At $t=" + std::string(t) + "$ the output has " + printed.text + ".",
-               {.printed = printed, .near_misses = {other_q, other_v}});
+  const auto row = [&](int line, std::size_t step, const std::string& q, const std::string& v,
+                       const std::string& x, const std::string& other_q, const std::string& other_v) {
+    const Reading printed = output(step, q, v, x);
+    claims.add(
+        "row_" + std::to_string(step), line,
+        "At $t=" + format_shortest(static_cast<double>(step) / 1000) + "$ the output has " + printed.text +
+            ".",
+        {.printed = printed, .near_misses = {output(step, other_q, v, x), output(step, q, other_v, x)}});
   };
-  row("row_2240", 1421, "2.24", output(2240, "0.00017622", "-1.41421347", "0.0002"),
-      output(2240, "0.00017623", "-1.41421347", "0.0002"),
-      output(2240, "0.00017622", "-1.41421346", "0.0002"));
-  row("row_2241", 1423, "2.241", output(2241, "-0.00123799", "-1.41420923", "-0.0012"),
-      output(2241, "-0.00123798", "-1.41420923", "-0.0012"),
-      output(2241, "-0.00123799", "-1.41420922", "-0.0012"));
+  row(1421, 2240, "0.00017622", "-1.41421347", "0.0002", "0.00017623", "-1.41421346");
+  row(1423, 2241, "-0.00123799", "-1.41420923", "-0.0012", "-0.00123798", "-1.41420922");
 
   claims.statement<Fall>(
       "between", 1425, "$q$ reaches zero somewhere between 2.24 and 2.241.", {{1, time_at(1), time_at(1)}},
@@ -389,28 +362,20 @@ Provables proofs() {
   Claims claims("3.7");
   Table table(claims);
   energies(table, {});
-  const std::vector<std::string> names{"m", "g", "q", "v", "a"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = "try rewrite pow2_sqrt by nra; field",
-                       .says = "it holds for every bead in any motion on the curve"};
-  double x = 0;
-  for (double* letter : all.example.letters()) *letter = x += 0.5;
+  const auto all =
+      for_all<SampleOf>("try rewrite pow2_sqrt by nra; field",
+                        "it holds for every bead in any motion on the curve", {0.5, 1, 1.5, 2, 2.5});
   Provables proved = table.proofs("3.7", all);
   const auto& s = all.any;
-  const auto lemma = [&](const char* name, const std::string& text, const Shortened& right) {
-    return Lemma{name,
-                 all.letters,
-                 {above(s.m.expression(), 0)},
-                 equal(recorded_text(text, s.typeset()), {right.expression()}),
-                 by_positive_metric};
+  const auto lemma = [&](const char* name, const std::string& text, const Shortened& right) -> Lemma {
+    const auto is = equal(recorded_text(text, typeset_of(s)), {right.expression()});
+    return {name, all.letters, positive({s.m}), is, by_positive_metric};
   };
   proved.push_back(
       {"3.7-equation_of_motion",
        "it is Lagrange's equation, and that of gravity and the wire's force, in any motion on the curve",
        {lemma("lagrange", solved, s.by_lagrange()), lemma("forces", solved, s.by_forces())}});
-  SampleOf<Shortened> still;
-  still.m = still.g = still.q = 1.0;
+  const SampleOf<Shortened> still{1.0, 1.0, 1.0, 0.0, 0.0};
   proved.push_back(
       {"3.7-only_gravity",
        "gravity's power is that of the whole force, in any motion on the curve; without the wire the bead would "
@@ -425,17 +390,14 @@ Provables proofs() {
       all_three += (all_three.empty() ? "" : " /\\ ") + component.expression().coq() + " = " + b;
     return all_three;
   };
+  const std::string tactic = "intuition (subst; lra)",
+                    rests = "(" + is(place, "1") + " /\\ " + is(u, "0") + ") <-> (q = 1 /\\ v = 0)";
   proved.push_back({"3.7-start",
                     "q = 1 and q' = 0 is being at rest at (1, 1, 1), and nothing else is",
-                    {{"printed",
-                      "(q v : R)",
-                      {},
-                      {{"(" + is(place, "1") + " /\\ " + is(u, "0") + ") <-> (q = 1 /\\ v = 0)"}},
-                      "intuition (subst; lra)"}}});
-  proved.push_back(
-      {"3.7-at_the_origin",
-       "q = 0 is being at the origin, and nothing else is",
-       {{"printed", "(q : R)", {}, {{"(" + is(place, "0") + ") <-> q = 0"}}, "intuition (subst; lra)"}}});
+                    {{"printed", "(q v : R)", {}, {{rests}}, tactic}}});
+  proved.push_back({"3.7-at_the_origin",
+                    "q = 0 is being at the origin, and nothing else is",
+                    {{"printed", "(q : R)", {}, {{"(" + is(place, "0") + ") <-> q = 0"}}, tactic}}});
   return proved;
 }
 
