@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_formulas.hpp"
 #include "chapters/07_linear_algebra/01_cost_of_elimination/cost_of_elimination.hpp"
@@ -41,6 +42,7 @@ struct Counts {
   std::string where() const { return "$n$ = " + format_shortest(n); }
   Cost total() const { return full + division; }
   Cost excess() const { return total() - forward_and_back; }
+  bool saves_nothing_else() const { return excess().alpha >= 0 && excess().delta >= 0; }
 
   explicit Counts(std::size_t size) : n(static_cast<double>(size)) {
     const Rows<Counted<double>> start(size, std::vector<Counted<double>>(size + 1, 1.0));
@@ -108,6 +110,10 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
     claim(slug, line, before + formula, "$" + formula, counted("the count", cost), corrected,
           corrected.empty() ? "" : uncounted, why);
   };
+  // for a text with "@2\mu+@2\alpha" of each.
+  const auto both = [](const Cost& one, const Cost& other) {
+    return std::vector{one.mu, one.alpha, other.mu, other.alpha};
+  };
   counts("one_row", 3789, "recomputing one row's entries in columns 2 to $n+1$ costs $", R"((2\mu+\alpha)n$)",
          &Counts::one_row);
   counts("first_row", 3789, "row reduction with the first row costs $", R"((2\mu+\alpha)n(n-1)$)",
@@ -116,20 +122,17 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
          R"((2\mu+\alpha)(n-1)(n-2)$)", &Counts::forward_second);
   counts("full_second_row", 3789, "full elimination with the second row costs $",
          R"((2\mu+\alpha)(n-1)(n-1)$)", &Counts::full_second, R"($(2\mu+\alpha)(n-1)(n-1)+\mu$)",
-         filled(R"(To clear $a_{12}$, row one becomes $a_{22}$ row one $-\,a_{12}$ row two. This multiplies )"
-                R"($a_{11}$ by $a_{22}$ too: the $@2\mu+@2\alpha$ that the entries right of the pivot take )"
-                R"(for $n=3$ are $@2\mu+@2\alpha$.)",
-                {printed_second_row(3.0).mu, printed_second_row(3.0).alpha, of_three.full_second.mu,
-                 of_three.full_second.alpha}));
+         filled(R"(To clear $a_{12}$, $a_{11}$ is multiplied by $a_{22}$ too: the $@2\mu+@2\alpha$ that the )"
+                R"(entries right of the pivot take for $n=3$ are $@2\mu+@2\alpha$.)",
+                both(printed_second_row(3.0), of_three.full_second)));
   claim("full_sum", 3791, R"($(2\mu+\alpha)[n(n-1)+(n-1)(n-1)+\ldots+1(n-1)]=)" + sum + "$", "$" + sum + "$",
         counted("the sum, entry by entry", sum_over_columns));
   counts(
       "full_cost", 3791, "full elimination costs $F=", sum + "$", &Counts::full, "$" + sum + diagonals,
       filled(
           R"(With column $k$ the diagonal entries of the $k-1$ rows above are multiplied by the pivot: )"
-          R"($\mu\,n(n-1)/2$ in all, $@2\mu+@2\alpha$ and not $@2\mu+@2\alpha$ for $n=3$. Without them the )"
-          R"(solution is wrong (see the methods). Even saved up for the end, each row's entry times the )"
-          R"(finished entry of the row below it, they cost $\mu(n-1)$: @1 for $n=10$.)",
+          R"($@2\mu+@2\alpha$ and not $@2\mu+@2\alpha$ for $n=3$. Without them the solution is wrong (see the )"
+          R"(methods). Even saved up for the end, they cost $\mu(n-1)$: @1 for $n=10$.)",
           {of_three.full.mu, of_three.full.alpha, printed_full(3.0).mu, printed_full(3.0).alpha,
            saved_up(10)}));
   counts("division_cost", 3795, "to divide each row by its diagonal entry costs $B=", R"(\delta n$)",
@@ -154,16 +157,16 @@ void costs(Claims& claims, const std::vector<Counts>& sizes) {
       counted("$C'-C$, both as printed", difference), factored_of_totals, "lost additions",
       filled(R"($(2\mu+\alpha)(n+1)-3(\mu+\alpha)=(2\mu+\alpha)n-\mu-2\alpha$: the $2\alpha$ was lost. For )"
              R"($n=2$ the difference is $@2\mu+@2\alpha$, and as factored in print $@2\mu+@2\alpha$.)",
-             {printed_difference(2.0).mu, printed_difference(2.0).alpha, factored(2).mu, factored(2).alpha}));
+             both(printed_difference(2.0), factored(2))));
   claim(
       "excess", 3805, "full elimination costs " + factors + " more than forward elimination",
       printed_factored, counted("the difference of the counts", &Counts::excess), factored_of_counts,
       uncounted,
       filled(
-          R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$. For )"
+          R"(The multiplied diagonal entries add $\mu\,n(n-1)/2$, and the factoring loses $2\alpha$: for )"
           R"($n=3$ the excess is $@2\mu+@2\alpha$, not $@2\mu+@2\alpha$. The bracket is negative for no whole )"
           R"($n>1$, so that the conclusion of the text is right.)",
-          {of_three.excess().mu, of_three.excess().alpha, factored(3).mu, factored(3).alpha}));
+          both(of_three.excess(), factored(3))));
 }
 
 // ---- which costs more -------------------------------------------------------------------------------------
@@ -204,18 +207,12 @@ void comparisons(Claims& claims, const std::vector<Counts>& sizes) {
   claims.statement<Counts>(
       "all_n", 3807, R"($C'\ge C$ for all $n\ge1$)", sizes,
       {.printed = {"coefficient by coefficient, whatever the prices",
-                   [](const Counts& c) {
-                     const Cost more = c.excess();
-                     return more.mu >= 0 && more.alpha >= 0 && more.delta >= 0;
-                   }},
+                   [](const Counts& c) { return c.excess().mu >= 0 && c.saves_nothing_else(); }},
        .near_misses = {{R"($C'>C$ for all $n\ge1$)", [](const Counts& c) { return c.excess().mu > 0; }}}});
   claims.statement<Counts>(
       "cheaper", 3807, "forward elimination, not full elimination, keeps the costs to a minimum", sizes,
       {.printed = {"fewer multiplications, and no more additions and divisions, for $n>1$",
-                   [](const Counts& c) {
-                     const Cost more = c.excess();
-                     return c.n <= 1 || (more.mu > 0 && more.alpha >= 0 && more.delta >= 0);
-                   }},
+                   [](const Counts& c) { return c.n <= 1 || (c.excess().mu > 0 && c.saves_nothing_else()); }},
        .near_misses = {{"fewer additions as well, for $n>1$",
                         [](const Counts& c) { return c.n <= 1 || c.excess().alpha > 0; }}}});
 }
@@ -247,13 +244,9 @@ struct Residues {
 
   /// Whether x solves every equation.
   bool solved_by(const std::vector<Residue>& x) const {
-    bool all = true;
-    for (const auto& row : rows) {
-      Residue sum{0};
-      for (std::size_t j = 0; j < n(); ++j) sum = sum + row[j] * x[j];
-      all = all && sum.value == row[n()].value;
-    }
-    return all;
+    return std::ranges::all_of(rows, [&](const auto& row) {
+      return std::inner_product(x.begin(), x.end(), row.begin(), Residue{0}).value == row[n()].value;
+    });
   }
 
   /// Whether elimination by whole rows leaves zeros off the diagonal and none on it.
@@ -339,11 +332,9 @@ void solutions(Claims& claims, const Random& random) {
        .near_misses = {{"the first row alone exchanged", [](const Residues& s) { return s.solved_with(1); }}},
        .root = "no exchange of rows",
        .why = filled(
-           R"(Where a pivot is zero, crosswise clearing multiplies the other rows by it, and the diagonal )"
-           R"(entries that are divided by at the end are 0. The system $x_2=2$, $x_1=3$, written as two )"
-           R"(rows in this order, ends in $@1/@1$. The text counts operations and has no such system in )"
-           R"(view. An exchange with a lower row cures it and costs no arithmetic, so that no total )"
-           R"(changes.)",
+           R"(Crosswise clearing multiplies the other rows by a pivot of zero: the system $x_2=2$, $x_1=3$, in )"
+           R"(this order, ends in $@1/@1$. The text counts operations and has no such system in view. An )"
+           R"(exchange with a lower row cures it and costs no arithmetic, so that no total changes.)",
            {swapped[0][2] + 0.0, swapped[0][0] + 0.0})});
 }
 
@@ -370,9 +361,8 @@ std::array<double, 2> small_matrices() {
   for (int code = 0; code < 19683; ++code) {
     std::array<int, 9> m{};
     for (int i = 0, rest = code; i < 9; ++i, rest /= 3) m[static_cast<std::size_t>(i)] = rest % 3 - 1;
-    const int second = m[0] * m[4] - m[1] * m[3], det = m[0] * (m[4] * m[8] - m[5] * m[7]) -
-                                                        m[1] * (m[3] * m[8] - m[5] * m[6]) +
-                                                        m[2] * (m[3] * m[7] - m[4] * m[6]);
+    const int second = m[0] * m[4] - m[1] * m[3],
+              det = m[8] * second - m[7] * (m[0] * m[5] - m[2] * m[3]) + m[6] * (m[1] * m[5] - m[2] * m[4]);
     if (det == 0) continue;
     ++count[0];
     count[1] += m[0] == 0 || second == 0;
