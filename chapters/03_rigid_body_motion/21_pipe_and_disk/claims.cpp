@@ -18,34 +18,30 @@ struct SampleOf {
   Vector<T> F;
 
   SampleOf() = default;
-  explicit SampleOf(Random& random)
-      : m(random.between(0.2, 3)),
-        L(random.between(0.3, 3)),
-        mu2(random.between(0.1, 2)),
-        mu3(mu2 * random.between(0.1, 2)),  // 2 for a flat disk, less for a longer one
-        phi(random.between(0.2, 2.9)),
-        g(random.between(0.5, 20)),
-        q{random.between(-3, 3), random.between(-3, 3)},
-        v{random.magnitude(0.1, 3), random.magnitude(0.1, 3)},
-        F{random.point(5)} {}
-  std::array<T*, 13> letters() {
-    return {&m, &L, &mu2, &mu3, &phi, &g, &q[0], &q[1], &v[0], &v[1], &F[0], &F[1], &F[2]};
+  explicit SampleOf(Random& random) {
+    for (const auto& letter : table())
+      for (std::size_t i = 0; i < letter.count; ++i) letter.first[i] = letter.from.draw(random);
+    mu3 *= mu2;
+  }
+  /// mu3 is drawn in parts of mu2: 2 for a flat disk, less for a longer one.
+  Letters<T> table() {
+    return {{"m", m, {0.2, 3}},
+            {"L", L, {0.3, 3}},
+            {R"(\mu_2)", mu2, {0.1, 2}},
+            {R"(\mu_3)", mu3, {0.1, 2}},
+            {R"(\phi)", phi, {0.2, 2.9}},
+            {"g", g, {0.5, 20}},
+            {R"(\theta)", q[0], {-3, 3}},
+            {R"(\psi)", q[1], {-3, 3}},
+            {R"(\dot\theta)", v[0], either_sign(0.1, 3), "omega"},
+            {R"(\dot\psi)", v[1], either_sign(0.1, 3), "spin"},
+            {"F", F, {-5, 5}, "f"}};
   }
   TypesetIn<T> typeset() const {
-    return {{"m", m},
-            {"L", L},
-            {R"(\mu_2)", mu2},
-            {R"(\mu_3)", mu3},
-            {R"(\phi)", phi},
-            {"F", F},
-            {"g", g},
-            {"t", T(span)},
-            {R"(\theta)", q[0]},
-            {R"(\psi)", q[1]},
-            {R"(\dot\theta)", v[0]},
-            {R"(\dot\psi)", v[1]},
-            {R"(\ddot\theta)", accelerations(0, g)[0]},
-            {R"(\ddot\psi)", accelerations(0, g)[1]},
+    const Two<T> a = accelerations(0, g);
+    return {{"t", T(span)},
+            {R"(\ddot\theta)", a[0]},
+            {R"(\ddot\psi)", a[1]},
             {"u", axes(q[0], q[1])[2]},
             {R"(\dot u)", turning()},
             {R"(F_\theta)", force()},
@@ -58,14 +54,7 @@ struct SampleOf {
     return 8 * (1 + m * L * (L + g) + mu2 + L * 5) * (1 + v[0] * v[0] + v[1] * v[1]) * (1 + 1 / inertia(mu2));
   }
   std::string where() const {
-    return R"($\phi$ = )" + format_significant(phi, 4) + R"(, $\theta$ = )" + format_significant(q[0], 4) +
-           R"(, $\dot\theta$ = )" + format_significant(v[0], 4) + R"(, $\dot\psi$ = )" +
-           format_significant(v[1], 4);
-  }
-  SampleOf upright() const {
-    SampleOf up = *this;
-    up.phi = 0.0;
-    return up;
+    return listed({{R"(\phi)", phi}, {R"(\theta)", q[0]}, {R"(\dot\theta)", v[0]}, {R"(\dot\psi)", v[1]}}, 4);
   }
 
   /// The disk's two diameters and the pipe's direction: the columns of R.
@@ -98,24 +87,24 @@ struct SampleOf {
   Two<T> accelerations(const T& force, const T& weight) const {
     return lagrange_accelerations(lagrangian(weight), q, v, {force, T(0)});
   }
-  /// dX/dtheta of the center X.
-  Vector<T> lever() const {
-    const auto pipe = axes(Dual<T>(q[0], T(1)), Dual<T>(q[1]))[2];
-    return {L * pipe[0].slope, L * pipe[1].slope, L * pipe[2].slope};
-  }
-  T force() const { return dot(F, lever()); }
-  /// Rate of the pipe's direction.
-  Vector<T> turning() const {
-    const auto pipe = axes(Dual<T>(q[0], v[0]), Dual<T>(q[1]))[2];
+  /// Rate of the pipe's direction at theta' = `speed`.
+  Vector<T> turning(const T& speed) const {
+    const auto pipe = axes(Dual<T>(q[0], speed), Dual<T>(q[1]))[2];
     return {pipe[0].slope, pipe[1].slope, pipe[2].slope};
   }
+  Vector<T> turning() const { return turning(v[0]); }
+  /// dX/dtheta of the center X.
+  Vector<T> lever() const {
+    const auto rate = turning(T(1));
+    return {L * rate[0], L * rate[1], L * rate[2]};
+  }
+  T force() const { return dot(F, lever()); }
   static constexpr double span = 2;  ///< s
   /// (theta, psi, theta', psi') after the span, under gravity.
   std::array<double, 4> after_the_span() const {
     const auto rhs = [&](const std::array<double, 4>& x, std::array<double, 4>& dxdt, double) {
       SampleOf now = *this;
-      now.q = {x[0], x[1]};
-      now.v = {x[2], x[3]};
+      now.q = {x[0], x[1]}, now.v = {x[2], x[3]};
       const Pair a = now.accelerations(0, g);
       dxdt = {x[2], x[3], a[0], a[1]};
     };
@@ -136,51 +125,43 @@ inline constexpr auto any_turn = []<class T>(const SampleOf<T>& up) { return Two
 /// Left sides of Lagrange's equations for an upright pipe under gravity.
 auto in_lagrange(const auto& accelerations) {
   return [=]<class T>(const SampleOf<T>& s) -> Two<T> {
-    const auto up = s.upright();
+    auto up = s;
+    up.phi = 0.0;
     return lagrange_left_side(up.lagrangian(up.g), up.q, up.v, accelerations(up));
   };
 }
 
 void equations(Table& table, const std::vector<Sample>& samples) {
+  const auto claim = table.over(samples);
   const std::string lagrange = "Lagrange's equations of the rigid disk, by nested dual numbers";
 
-  table.formula("theta", 2559,
-                R"(The pipe's acceleration is $\ddot\theta=F_\theta/((mL^2+\mu_2)\sin^2\phi)$)", samples,
-                {.quantity = R"(the pipe's angular acceleration $\ddot\theta$)",
-                 .truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[0]; }},
-                 .printed = R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)"});
-  table.formula("psi", 2561,
-                R"(The disk's acceleration is $\ddot\psi=-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)",
-                samples,
-                {.quantity = R"(the disk's angular acceleration $\ddot\psi$)",
-                 .truth = {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[1]; }},
-                 .printed = R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)"});
-  table.formula(
-      "force", 2569,
-      R"(The generalized force on $\theta$ is $F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)",
-      samples,
-      {.quantity = R"(the generalized force on $\theta$)",
-       .truth = {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)",
-                 [](const auto& s) { return s.force(); }},
-       .printed = R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)"});
-  table.formula("gravity_force", 2571,
-                R"(Gravity has no generalized force on $\theta$: $F_\theta=0$ for all time)", samples,
-                {.quantity = R"($F_\theta$)",
-                 .truth = {"zero", []<class T>(const SampleOf<T>&) { return values(T(0)); }},
-                 .printed = R"($-mgk\cdot\partial X/\partial\theta$)",
-                 .near_misses = {R"($-mg\imath\cdot\partial X/\partial\theta$)"},
-                 .changes_that_hold = R"($k$ and $\partial X/\partial\theta$ are perpendicular)"});
+  claim("theta", 2559, R"(The pipe's acceleration is $\ddot\theta=F_\theta/((mL^2+\mu_2)\sin^2\phi)$)",
+        {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[0]; }},
+        R"($F_\theta/((mL^2+\mu_2)\sin^2\phi)$)");
+  claim("psi", 2561, R"(The disk's acceleration is $\ddot\psi=-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)",
+        {lagrange, [](const auto& s) { return s.accelerations(s.force(), 0)[1]; }},
+        R"($-F_\theta\cos\phi/((mL^2+\mu_2)\sin^2\phi)$)");
+  claim("force", 2569,
+        R"(The generalized force on $\theta$ is $F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)",
+        {R"($F\cdot\partial X/\partial\theta$ of the center $X$, by dual numbers)",
+         [](const auto& s) { return s.force(); }},
+        R"($F\cdot L(-\sin\theta\sin\phi,\ \cos\theta\sin\phi,\ 0)$)");
+  claim("gravity_force", 2571, R"(Gravity has no generalized force on $\theta$: $F_\theta=0$ for all time)",
+        {.quantity = R"($F_\theta$)",
+         .truth = {"zero", []<class T>(const SampleOf<T>&) { return values(T(0)); }},
+         .printed = R"($-mgk\cdot\partial X/\partial\theta$)",
+         .near_misses = {R"($-mg\imath\cdot\partial X/\partial\theta$)"},
+         .changes_that_hold = R"($k$ and $\partial X/\partial\theta$ are perpendicular)"});
   const std::string no_sign = "zero has no sign";
-  table.formula("no_acceleration", 2573, R"(Gravity makes $\ddot\theta=0$ and $\ddot\psi=0$)", samples,
-                {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
-                 .truth = {lagrange, [](const auto& s) { return s.accelerations(0, s.g); }},
-                 .printed = "$0$",
-                 .near_misses = {{R"(with a force of 0.1 on $\theta$)", with_force}},
-                 .changes_that_hold = no_sign});
-  table.formula(
+  claim("no_acceleration", 2573, R"(Gravity makes $\ddot\theta=0$ and $\ddot\psi=0$)",
+        {.quantity = R"($(\ddot\theta,\ddot\psi)$)",
+         .truth = {lagrange, [](const auto& s) { return s.accelerations(0, s.g); }},
+         .printed = "$0$",
+         .near_misses = {{R"(with a force of 0.1 on $\theta$)", with_force}},
+         .changes_that_hold = no_sign});
+  claim(
       "angular_accelerations", 2575,
       "Pipe and disk have no angular acceleration (our reading: the pipe about the vertical, the disk about the pipe)",
-      samples,
       {.quantity = R"($\ddot\theta$, $\ddot\psi$, and the component along the pipe of the rate of )"
                    R"($\dot\theta k+\dot\psi u$)",
        .truth = {"Lagrange's equations under gravity, and dual numbers",
@@ -232,18 +213,17 @@ void upright(Claims& claims, const std::vector<Sample>& samples) {
                                  return Two<double>{up.F[0], 0};
                                })},
        .why = filled(
-           R"(An upright pipe has $\sin\phi=0$: the quotient is 0/0 without any force, and a program that )"
-           R"(divides has NaN in its first step. Both angles turn the disk about the same line then, and )"
-           R"(the equations fix their sum alone. At $\phi=@1$ the default disk has only @2 kg m$^2$ under )"
-           R"(the bar, and a small force already makes large accelerations.)",
+           R"(For an upright pipe the quotient is 0/0 without any force. Both angles turn the disk about the )"
+           R"(same line then, and the equations fix their sum alone. At $\phi=@1$ the default disk has only @2 )"
+           R"(kg m$^2$ under the bar, and a small force already makes large accelerations.)",
            {steep.phi, steep.inertia()}),
        .root = "division by an upright pipe"});
 }
 
 /// The disk's angular acceleration as a vector.
 void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
-  claims.formula<Sample>(
-      "disk_vector", 2575, "The angular acceleration of the disk (our reading: the vector) is zero", samples,
+  claims.over(samples)(
+      "disk_vector", 2575, "The angular acceleration of the disk (our reading: the vector) is zero",
       {.quantity = "the angular acceleration",
        .truth = {"zero", [](S) { return values(0); }},
        .printed = {R"($\frac d{dt}(\dot\theta k+\dot\psi u)=0$)"},
@@ -252,35 +232,30 @@ void turning_axis(Claims& claims, const std::vector<Sample>& samples) {
        .changes_that_hold = R"($\ddot\theta$ and $\ddot\psi$ are both zero)",
        .kind = Fault::term,
        .why = filled(
-           R"(The text means the two angles' second derivatives. The disk's angular velocity, )"
-           R"($\dot\theta k+\dot\psi u$ with $u$ along the pipe, turns with the pipe. Its rate is )"
-           R"($\dot\theta\dot\psi\,k\times u$, of the size @3 rad/s$^2$ in the default motion, and the )"
-           R"(bearings have to bring the torque for it.)",
+           R"(The disk's angular velocity, $\dot\theta k+\dot\psi u$ with $u$ along the pipe, turns with the )"
+           R"(pipe. Its rate is $\dot\theta\dot\psi\,k\times u$, of the size @3 rad/s$^2$ in the default )"
+           R"(motion, and the bearings have to bring the torque for it.)",
            {usual.theta_dot * usual.psi_dot * std::sin(usual.phi)})});
 }
 
 /// Claims about motions under gravity that are integrated.
 void motions(Claims& claims, const std::vector<Sample>& samples) {
+  const auto claim = claims.over(samples);
   const auto later = [](std::size_t first) -> Formula<Sample> {
     return {"Lagrange's equations under gravity, integrated", [=](S s) {
               const auto x = s.after_the_span();
               return values(x[first], x[first + 1]);
             }};
   };
-  claims.formula<Sample>(
-      "integrated", 2575, R"(Integrated, the equations give $\theta(t)=\theta_0$ and $\psi(t)=\psi(0)$)",
-      samples,
-      {.quantity = filled(R"($(\theta,\psi)$ after $t=@1$ s)", {Sample::span}),
-       .truth = later(0),
-       .printed = {R"($(\theta,\psi)$)"},
-       .meant = {R"($(\theta+\dot\theta t,\ \psi+\dot\psi t)$)"},
-       .why = R"(The dots are lost: zero accelerations keep the speeds, $\dot\theta(t)=\dot\theta_0$ and )"
-              R"($\dot\psi(t)=\dot\psi(0)$, as the next sentence states; the angles grow with time.)"});
-  claims.formula<Sample>("constant_speeds", 2575,
-                         R"(The angular speeds $\dot\theta$ and $\dot\psi$ are constant)", samples,
-                         {.quantity = filled(R"($(\dot\theta,\dot\psi)$ after @1 s)", {Sample::span}),
-                          .truth = later(2),
-                          .printed = {R"($(\dot\theta,\dot\psi)$)"}});
+  claim("integrated", 2575, R"(Integrated, the equations give $\theta(t)=\theta_0$ and $\psi(t)=\psi(0)$)",
+        {.quantity = filled(R"($(\theta,\psi)$ after $t=@1$ s)", {Sample::span}),
+         .truth = later(0),
+         .printed = {R"($(\theta,\psi)$)"},
+         .meant = {R"($(\theta+\dot\theta t,\ \psi+\dot\psi t)$)"},
+         .why = R"(The dots are lost: zero accelerations keep the speeds, $\dot\theta(t)=\dot\theta_0$ and )"
+                R"($\dot\psi(t)=\dot\psi(0)$, as the next sentence states; the angles grow with time.)"});
+  claim("constant_speeds", 2575, R"(The angular speeds $\dot\theta$ and $\dot\psi$ are constant)", later(2),
+        {R"($(\dot\theta,\dot\psi)$)"}, filled(R"($(\dot\theta,\dot\psi)$ after @1 s)", {Sample::span}));
 }
 
 std::vector<Claim> claims(double seed) {
@@ -314,46 +289,33 @@ Provable weightless(const SampleOf<Shortened>& s, const std::string& letters) {
       coq_source({"motions"})};
 }
 
+std::vector<Proposition> inclined(const SampleOf<Shortened>& s) {
+  return positive({s.m, s.L, s.mu2, s.mu3, sin(s.phi)});
+}
+
 /// For all functions of time whose second derivatives satisfy Lagrange's equations.
 Provables along_motions() {
   const std::vector<std::string> names{"m",       "L",         "mu2",      "mu3", "phi", "g", "(theta t)",
                                        "(psi t)", "(omega t)", "(spin t)", "f1",  "f2",  "f3"};
   const SampleOf<Shortened> s = lettered<SampleOf>(names);
   const Two<Shortened> a = s.accelerations(0.0, s.g);
-  std::vector<Proposition> given;
-  for (const Shortened& x : {s.m, s.L, s.mu2, s.mu3, sin(s.phi)}) given.push_back(above(x.expression(), 0));
+  const std::vector<Proposition> given = inclined(s);
   const std::string equations =
-      "(forall t, is_derive theta t (omega t) /\\ is_derive psi t (spin t) /\\\n"
-      "    is_derive omega t (" +
-      a[0].expression().coq() +
-      ") /\\\n"
-      "    is_derive spin t (" +
-      a[1].expression().coq() + "))";
+      "(forall t, is_derive theta t (omega t) /\\ is_derive psi t (spin t) /\\\n    is_derive omega t (" +
+      a[0].expression().coq() + ") /\\\n    is_derive spin t (" + a[1].expression().coq() + "))";
   std::vector<Proposition> moving = given;
   moving.push_back({equations});
   const std::string letters = "(m L mu2 mu3 phi g : R)", functions = "(theta psi omega spin : R -> R)";
-  const auto constant = [&](const std::string& speed, const std::string& equation) -> Lemma {
-    return {speed,
-            letters + " " + functions,
-            moving,
-            {{"(forall t, " + speed + " t = " + speed + " 0)"}},
-            "revert t; apply constant; intro t; destruct (H4 t) as " + equation +
-                ";\n"
-                "  match type of D with is_derive _ _ ?x =>\n"
-                "    replace 0 with x; [exact D | clear -H H0 H1 H2 H3; on_pipe phi (theta t) (psi t)] end"};
+  const auto constant = [&](const std::string& speed) -> Lemma {
+    const Proposition stays{"(forall t, " + speed + " t = " + speed + " 0)"};
+    return {speed, letters + " " + functions, moving, {stays}, "keeps_speed phi theta psi H4 t"};
   };
-  const Lemma omega = constant("omega", "[_ [_ [D _]]]"), spin = constant("spin", "[_ [_ [_ D]]]");
-  const Lemma angle{"printed_differs",
-                    letters,
-                    given,
-                    {{"(exists " + functions + ",\n  " + equations + " /\\ Rabs (theta 2 - theta 0) >= 2)"}},
-                    "exists (fun t => t), (fun _ => 0), (fun _ => 1), (fun _ => 0); split;\n"
-                    "  [intro t; split; [|split; [|split]]; [auto_derive; trivial .. | |];\n"
-                    "    match goal with |- is_derive _ _ ?x => replace x with 0;\n"
-                    "      [auto_derive; trivial | symmetry; on_pipe phi t 0] end\n"
-                    "  |rewrite Rabs_right; lra]"};
+  const Proposition turns{"(exists " + functions + ",\n  " + equations +
+                          " /\\ Rabs (theta 2 - theta 0) >= 2)"};
+  const Lemma omega = constant("omega"), spin = constant("spin"),
+              angle{"printed_differs", letters, given, {turns}, "turns_at_one phi"};
   const std::string under = "under gravity any motion of any disk on any inclined pipe keeps its speeds",
-                    preamble = coq_source({"pipe", "motions"});
+                    preamble = coq_source({"motions"});
   return {{"3.21-constant_speeds", under, {omega, spin}, 0, preamble},
           {"3.21-integrated",
            "as meant: " + under + "; as printed it is off after two seconds at a speed of one",
@@ -368,22 +330,18 @@ Provables proofs() {
   Claims claims("3.21");
   Table table(claims);
   equations(table, {});
-  const std::vector<std::string> names{"m",   "L",     "mu2",  "mu3", "phi", "g", "theta",
-                                       "psi", "omega", "spin", "f1",  "f2",  "f3"};
-  ForAll<SampleOf> all{.any = lettered<SampleOf>(names),
-                       .letters = quantified(names),
-                       .tactic = "on_pipe phi theta psi",
-                       .says = "it holds for any disk on any inclined pipe"};
+  auto all = for_all<SampleOf>("on_pipe phi theta psi", "it holds for any disk on any inclined pipe");
   const auto& s = all.any;
-  for (const Shortened& x : {s.m, s.L, s.mu2, s.mu3, sin(s.phi)})
-    all.given.push_back(above(x.expression(), 0));
+  all.given = inclined(s);
+  all.preamble = coq_source({"pipe"});
   Provables proved = table.proofs("3.21", all);
   const Expressions left = detail::recorded_value(in_lagrange(any_turn)(s));
   proved.push_back({"3.21-upright",
                     "as corrected it holds for any upright pipe",
-                    {{"corrected", all.letters, {}, equal(left, {0.0, 0.0}), "on_pipe phi theta psi"}}});
-  for (Provable& proof : proved) proof.preamble = coq_source({"pipe"});
-  for (Provable& p : along_motions()) proved.push_back(std::move(p));
+                    {{"corrected", all.letters, {}, equal(left, {0.0, 0.0}), all.tactic}},
+                    0,
+                    all.preamble});
+  append(proved, along_motions());
   proved.push_back(weightless(s, all.letters));
   return proved;
 }
