@@ -84,14 +84,6 @@ Vec<T> areas(const Triangle<T>& w, const Vec<T>& x) {
   return {area(1, 2), area(2, 0), area(0, 1)};
 }
 
-/// The triangle as the points with s, t >= 0 and s + t <= `most`.
-Statement<Sample> domain(std::string text, double most) {
-  return {std::move(text), [=](const Sample& x) {
-            const Vec<double> a = areas(x.w, x.w.at(x.s, x.t));
-            return (a[0] >= 0 && a[1] >= 0 && a[2] >= 0) == (x.s >= 0 && x.t >= 0 && x.s + x.t <= most);
-          }};
-}
-
 template <class N, class S, class T>
 auto squared_distance(const SampleOf<N>& x, const S& s, const T& t) {
   const auto along = [&](std::size_t i) {
@@ -116,26 +108,23 @@ auto by_differentiation(const SampleOf<T>& x) {
 }
 
 void in_coordinates(Table& table, const std::vector<Sample>& all) {
-  table.formula("barycentric", 4043, "the barycentric coordinates of $V(s,t)$ are $1-s-t$, $s$ and $t$", all,
-                {.truth = {"signed areas over the triangle's",
-                           [](const auto& x) { return areas(x.w, x.w.at(x.other_s(), x.other_t())); }},
-                 .printed = R"($(1-s-t,\ s,\ t)$)"});
+  const auto claim = table.over(all);
+  claim("barycentric", 4043, "the barycentric coordinates of $V(s,t)$ are $1-s-t$, $s$ and $t$",
+        {"signed areas over the triangle's",
+         [](const auto& x) { return areas(x.w, x.w.at(x.other_s(), x.other_t())); }},
+        R"($(1-s-t,\ s,\ t)$)");
   const ProvableFormula<SampleOf> f{
       "$|V(s,t)-P|^2$", [](const auto& x) { return squared_distance(x, x.other_s(), x.other_t()); }};
-  table.formula("squared", 4047, "$f=|sE_1+tE_2+D|^2$", all,
-                {.quantity = "$f(s,t)$", .truth = f, .printed = R"($(sE_1+tE_2+D)\cdot(sE_1+tE_2+D)$)"});
-  table.formula("expansion", 4049,
-                R"($f=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)", all,
-                {.quantity = "$f(s,t)$",
-                 .truth = f,
-                 .printed = R"($E_1\cdot E_1\,s^2+2E_1\cdot E_2\,st+E_2\cdot E_2\,t^2+2E_1\cdot D\,s)"
-                            R"(+2E_2\cdot D\,t+D\cdot D$)"});
-  table.formula(
-      "coefficients", 4051, "$f=a_{00}s^2+2a_{01}st+a_{11}t^2+2b_0s+2b_1t+c$", all,
-      {.quantity = "$(a_{00},a_{01},a_{11},b_0,b_1,c)$",
-       .truth = {"half the derivatives of $|V(s,t)-P|^2$, by dual numbers",
-                 [](const auto& x) { return by_differentiation(x); }},
-       .printed = R"($(E_1\cdot E_1,\ E_1\cdot E_2,\ E_2\cdot E_2,\ E_1\cdot D,\ E_2\cdot D,\ D\cdot D)$)"});
+  claim("squared", 4047, "$f=|sE_1+tE_2+D|^2$", f, R"($(sE_1+tE_2+D)\cdot(sE_1+tE_2+D)$)");
+  claim("expansion", 4049,
+        R"($f=|E_1|^2s^2+2E_1\cdot E_2\,st+|E_2|^2t^2+2E_1\cdot D\,s+2E_2\cdot D\,t+|D|^2$)", f,
+        R"($E_1\cdot E_1\,s^2+2E_1\cdot E_2\,st+E_2\cdot E_2\,t^2+2E_1\cdot D\,s)"
+        R"(+2E_2\cdot D\,t+D\cdot D$)");
+  claim("coefficients", 4051, "$f=a_{00}s^2+2a_{01}st+a_{11}t^2+2b_0s+2b_1t+c$",
+        {"half the derivatives of $|V(s,t)-P|^2$, by dual numbers",
+         [](const auto& x) { return by_differentiation(x); }},
+        R"($(E_1\cdot E_1,\ E_1\cdot E_2,\ E_2\cdot E_2,\ E_1\cdot D,\ E_2\cdot D,\ D\cdot D)$)",
+        "$(a_{00},a_{01},a_{11},b_0,b_1,c)$");
 }
 
 const OfSample on_edges{"$V_0+sE_1+tE_2$", [](const auto&x) { return x.w.at(x.s, x.t); }},
@@ -143,19 +132,21 @@ const OfSample on_edges{"$V_0+sE_1+tE_2$", [](const auto&x) { return x.w.at(x.s,
 
 void expressions(Claims& claims, const std::vector<Sample>& all) {
   const auto points = [&](const Formula<Sample>& by) { return compare("$V(s,t)$", by, on_edges, all); };
-  const auto inside = [&](const Statement<Sample>& by) { return in_all(by.text, all, by.holds); };
+  const auto inside = [&](const std::string& sum, double most) {
+    return in_all<Sample>(
+        R"(in the triangle, by signed areas, just when $s,t\ge0$, )" + sum, all, [=](const Sample& x) {
+          const Vec<double> a = areas(x.w, x.w.at(x.s, x.t));
+          return (a[0] >= 0 && a[1] >= 0 && a[2] >= 0) == (x.s >= 0 && x.t >= 0 && x.s + x.t <= most);
+        });
+  };
   claims.add(
       "parametrization", 4041,
       R"(the triangle's points are $V(s,t)=V_0+sE_1+tE_2$ with $s\ge0$, $t\ge0$ and $s+t\le1$)",
       {.printed = {"sums of the vertices with weights $1-s-t$, $s$, $t$, none of them negative",
-                   {points(on_vertices),
-                    inside(
-                        domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le1$)", 1))}},
-       .near_misses = {
-           {R"(with $s+t\le2$)",
-            {inside(domain(R"(in the triangle, by signed areas, just when $s,t\ge0$, $s+t\le2$)", 2))}},
-           {"$E_1$ and $E_2$ exchanged",
-            {points(weighted("sum of the vertices, weights $1-s-t$, $t$, $s$", {0, 2, 1}))}}}});
+                   {points(on_vertices), inside(R"($s+t\le1$)", 1)}},
+       .near_misses = {{R"(with $s+t\le2$)", {inside(R"($s+t\le2$)", 2)}},
+                       {"$E_1$ and $E_2$ exchanged",
+                        {points(weighted("sum of the vertices, weights $1-s-t$, $t$, $s$", {0, 2, 1}))}}}});
 }
 
 // ---- the minimum ------------------------------------------------------------------------------------------
@@ -191,12 +182,16 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
       {.printed = {"where $f$ is least over the triangle", {none_closer(all, region_distance<double>)}},
        .near_misses = {{"where it is least over the edges", {none_closer(all, edges_distance<double>)}}}});
 
+  const Formula<Sample> determinant{"$a_{00}a_{11}-a_{01}^2$",
+                                    [](const Sample&x) { return Quadratic<double>(x.w, x.p).determinant(); }},
+      square_of_normal{R"($|E_1\times E_2|^2$)", [](const Sample&x) { return dot(x.normal(), x.normal()); }};
   const auto of_corners = [](const Triangle<double>& w, const Vec<double>& p) {
     const auto at = by_regions_without_sub_cases(Quadratic<double>(w, p));
     return length(w.at(at.s, at.t) - p);
   };
   std::set<int> regions;
   for (const Sample& x : all) regions.insert(x.region());
+  const auto count = static_cast<double>(regions.size());
   claims.add(
       "seven_regions", 4055,
       "$f$ is exactly the function of the book's example 9.8 (our reading, as that is not in the solutions: a "
@@ -207,17 +202,8 @@ void minimum(Claims& claims, const std::vector<Sample>& all) {
                                    [](const Sample& x) {
                                      return by_regions(Quadratic<double>(x.w, x.p)).region == x.region();
                                    }),
-                    {"regions with a sample",
-                     {"of the samples", static_cast<double>(regions.size())},
-                     {"seven", 7.0},
-                     exact()},
-                    compare<Sample>(
-                        "the determinant",
-                        {"$a_{00}a_{11}-a_{01}^2$",
-                         [](const Sample& x) { return Quadratic<double>(x.w, x.p).determinant(); }},
-                        {R"($|E_1\times E_2|^2$)",
-                         [](const Sample& x) { return dot(x.normal(), x.normal()); }},
-                        all)}},
+                    {"regions with a sample", {"of the samples", count}, {"seven", 7.0}, exact()},
+                    compare("the determinant", determinant, square_of_normal, all)}},
        .near_misses = {{"the corner regions are nearest to the corners",
                         {same_distance(all, "corners for the corner regions", of_corners)}}}});
 }
@@ -249,22 +235,20 @@ std::string area_is(const Expression& area, const std::string& weight) {
 
 /// At the minimum of the square, no sum of the vertices with weights that add up to one is closer.
 Lemma nearest(const SampleOf<Shortened>& any, std::vector<std::string> names) {
-  const auto letter = [](const char* name) { return Shortened::letter(name); };
-  const auto f = [&](const Shortened& s, const Shortened& t) {
-    return squared_distance(any, s, t).expression().coq();
-  };
+  const auto letter = Shortened::letter;
+  const auto coq = [](const Shortened& x) { return x.expression().coq(); };
   const Vec<Shortened> place = any.w.at(any.s, any.t),
                        other =
                            letter("k0") * any.w.v[0] + letter("k1") * any.w.v[1] + letter("k2") * any.w.v[2];
-  for (const char* weight : {"k0", "k1", "k2"}) names.emplace_back(weight);
+  names.insert(names.end(), {"k0", "k1", "k2"});
   return {"nearest",
           quantified(names),
           {{in_domain("s", "t")},
-           {"(forall u v, " + in_domain("u", "v") + " ->\n    " + f(any.s, any.t) + " <=\n    " +
-            f(letter("u"), letter("v")) + ")"},
+           {"(forall u v, " + in_domain("u", "v") + " ->\n    " + coq(squared_distance(any, any.s, any.t)) +
+            " <=\n    " + coq(squared_distance(any, letter("u"), letter("v"))) + ")"},
            {"k0 >= 0 /\\ k1 >= 0 /\\ k2 >= 0"},
            {"k0 + k1 + k2 = 1"}},
-          {{length(place - any.p).expression().coq() + " <=\n  " + length(other - any.p).expression().coq()}},
+          {{coq(length(place - any.p)) + " <=\n  " + coq(length(other - any.p))}},
           "apply sqrt_le_1_alt; replace k0 with (1 - k1 - k2) by lra;\n  match goal with |- _ <= ?y => "
           "eapply Rle_trans; [apply (H0 k1 k2); lra | right; ring] end"};
 }
@@ -296,9 +280,10 @@ Provable seven_regions(const SampleOf<Shortened>& any, std::vector<std::string> 
   const auto at_place = [&](const std::string& is_so) -> Proposition {
     return {"match " + regions + "\n  with (s, t, region) =>\n  " + is_so + " end"};
   };
+  const auto [x, y] = q.least_of_all();
   std::vector<Proposition> at_point = convex;
-  for (std::size_t i = 0; i < 2; ++i)
-    at_point.push_back(q.least_of_all()[i] == q.determinant() * Expression::letter(i == 0 ? "x" : "y"));
+  at_point.push_back(x == q.determinant() * Expression::letter("x"));
+  at_point.push_back(y == q.determinant() * Expression::letter("y"));
   names.emplace_back("h");
   const Vec<Shortened> n = any.normal();
   const Quadratic<Shortened> of_point(any.w, any.w.at(any.s, any.t) + Shortened::letter("h") * n);
@@ -335,24 +320,21 @@ Provable seven_regions(const SampleOf<Shortened>& any, std::vector<std::string> 
 Provables proofs() {
   const std::vector<std::string> names{"s",  "t",  "x0", "y0", "z0", "x1", "y1",
                                        "z1", "x2", "y2", "z2", "px", "py", "pz"};
-  const SampleOf<Shortened> any = lettered<SampleOf>(names);
-  const std::vector<Proposition> area{not_zero(dot(any.normal(), any.normal()).expression())};
+  auto all = for_all<SampleOf>(names, "field; exact H", "it holds for any triangle and any point");
+  const auto& any = all.any;
+  const std::vector<Proposition> area = all.given = {not_zero(dot(any.normal(), any.normal()).expression())};
   Claims claims("9.1");
   Table table(claims);
   in_coordinates(table, {});
-  Provables proved = table.proofs("9.1", {.any = any,
-                                          .letters = quantified(names),
-                                          .given = area,
-                                          .tactic = "field; exact H",
-                                          .says = "it holds for any triangle and any point"});
+  Provables proved = table.proofs("9.1", all);
   const Expressions by_areas = detail::recorded_value(areas(any.w, any.w.at(any.s, any.t)));
   proved.push_back(
       {"9.1-parametrization",
        "any such point is the sum of the vertices, and it is in the triangle just when s and t are "
        "not negative and add up to at most 1",
-       {{"points", quantified(names), {}, equal(on_vertices.recorded(any), on_edges.recorded(any)), "ring"},
+       {{"points", all.letters, {}, equal(on_vertices.recorded(any), on_edges.recorded(any)), "ring"},
         {"domain",
-         quantified(names),
+         all.letters,
          area,
          {{"((" + by_areas[0].coq() + " >= 0 /\\ " + by_areas[1].coq() + " >= 0 /\\\n  " + by_areas[2].coq() +
            " >= 0) <-> " + in_domain("s", "t") + ")"}},
