@@ -35,30 +35,18 @@ std::array<Fraction, 6> in_rationals() {
 template <class T>
 struct CutOf {
   T left, z;
-  std::array<T*, 2> letters() { return {&left, &z}; }
-  TypesetIn<T> typeset() const { return {{"a", left}, {"z", z}}; }
+  Letters<T> table() { return {{"a", left, {-1, 0.8}, "left"}, {"z", z, either_sign(0.1, 3)}}; }
 };
 using Cut = CutOf<double>;
-std::vector<Cut> cuts(double seed, double up = 1) {
-  Random random(seed);
-  std::vector<Cut> all;
-  for (int i = 0; i < 4; ++i) {
-    const double left = random.between(-1, 0.8);
-    all.push_back({left, up * random.magnitude(0.1, 3)});
-  }
-  return all;
-}
 
 /// Component k by its definition: by rows, or as a statement in Coq.
 template <class T>
 T by_definition(std::size_t k, const CutOf<T>& c) {
   if constexpr (std::same_as<T, Shortened>) {
+    using Point = std::array<T, 3>;
     const auto column = [&](const T& x) {
-      return recorded_integral(
-          [&](const T& y) {
-            return inertia_component(k, std::array{x, y, c.z});
-          },
-          pow(x, 2), 1);
+      const auto at = [&](const T& y) { return inertia_component(k, Point{x, y, c.z}); };
+      return recorded_integral(at, pow(x, 2), 1);
     };
     return recorded_integral(column, c.left, 1);
   } else {
@@ -96,16 +84,14 @@ std::string over_lamina(const std::string& left, const std::string& integrand) {
 }
 void integral(ProvableClaims<CutOf>& table, const std::string& slug, int line, const std::string& says,
               const std::string& integrand, std::size_t k, const std::vector<Cut>& samples) {
-  table.formula(slug, line, says + over_lamina("{-1}", integrand), samples,
-                {.quantity = "$I_{" + components()[k].letters + "}$ of laminas from $x=a$ on",
-                 .truth = definition(k),
-                 .printed = "$" + over_lamina("a", integrand)});
+  table.over(samples)(slug, line, says + over_lamina("{-1}", integrand), definition(k),
+                      "$" + over_lamina("a", integrand),
+                      "$I_{" + components()[k].letters + "}$ of laminas from $x=a$ on");
 }
 void integrands(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
-  const auto all = components();
-  for (std::size_t k = 0; k < 6; ++k)
-    integral(table, "i" + all[k].letters + "_integrand", all[k].integrand_line,
-             "$I_{" + all[k].letters + "}=", all[k].integrand, k, samples);
+  for (std::size_t k = 0; const Component& c : components())
+    integral(table, "i" + c.letters + "_integrand", c.integrand_line, "$I_{" + c.letters + "}=", c.integrand,
+             k++, samples);
 }
 void without_z(ProvableClaims<CutOf>& table, const std::vector<Cut>& samples) {
   integral(table, "ixx_without_z", 675, "With $z=0$: $I_{xx}=", "y^2", 0, samples);
@@ -133,10 +119,10 @@ void value(Claims& claims, const Component& c, std::size_t k) {
     const double mass = gauss_legendre([](double x) { return 1 - x * x; }, -1, 1, 2).value;
     claim.meant = std::exchange(claim.printed, {name + "=47$"});
     claim.kind = Fault::lost_typography;
-    claim.why =
-        filled(R"(The fraction bar is lost in the text at hand: $\tfrac47$. The lamina has the mass @4 and )"
-               R"(lies within 1 of the axis, so that no moment can be above @4.)",
-               {mass, mass});
+    claim.why = filled(
+        R"(The fraction bar is lost: $\tfrac47$. The lamina lies within 1 of the axis, so that no moment )"
+        R"(can be above its mass, @4.)",
+        {mass});
   }
   claims.formula<Whole>("i" + c.letters, c.value_line, claim.printed.text, {{}}, claim);
 }
@@ -144,8 +130,7 @@ void value(Claims& claims, const Component& c, std::size_t k) {
 template <class T>
 struct ColumnOf {
   T x;
-  std::array<T*, 1> letters() { return {&x}; }
-  TypesetIn<T> typeset() const { return {{"x", x}}; }
+  Letters<T> table() { return {{"x", x, {-1, 1}}}; }
   /// The integral of y^2 from x^2 to 1.
   T inner() const {
     const auto square = [](const auto& y) { return y * y; };
@@ -167,11 +152,12 @@ using OfColumn = ProvableFormula<ColumnOf>;
 
 /// Claims the lines that lead to Ixx.
 void inner_integral(ProvableClaims<ColumnOf>& table, const std::vector<Column>& columns) {
+  const auto claim = table.over(columns);
   const OfColumn truth{"Gauss-Legendre of $y^2$ from $x^2$ to 1", [](const auto& c) { return c.inner(); }};
-  table.formula("ixx_inner", 681, "The inner integral of $I_{xx}$ is $y^3/3$ between $x^2$ and 1.", columns,
-                {.quantity = "the inner integral", .truth = truth, .printed = "$1^3/3-(x^2)^3/3$"});
-  table.formula("ixx_outer", 689, R"($I_{xx}=\int_{-1}^1\frac{1-x^6}3\,dx$)", columns,
-                {.quantity = "the inner integral", .truth = truth, .printed = "$(1-x^6)/3$"});
+  claim("ixx_inner", 681, "The inner integral of $I_{xx}$ is $y^3/3$ between $x^2$ and 1.", truth,
+        "$1^3/3-(x^2)^3/3$", "the inner integral");
+  claim("ixx_outer", 689, R"($I_{xx}=\int_{-1}^1\frac{1-x^6}3\,dx$)", truth, "$(1-x^6)/3$",
+        "the inner integral");
 }
 const OfColumn from_columns{"Gauss-Legendre, nested", [](const auto&c) { return c.up_to_here(); }},
     printed = "$x-x^7/73$", meant = "$(x-x^7/7)/3$";
@@ -183,32 +169,29 @@ auto between_ends(const OfColumn& f) {
     return computed<Column>(f).of({1})[0] - computed<Column>(f).of({-1})[0];
 }
 void antiderivative(ProvableClaims<ColumnOf>& table, const std::vector<Column>& columns) {
-  table.formula(
-      "ixx_antiderivative", 695, "$I_{xx}$ is $x-x^7/73$ between $-1$ and 1.", columns,
+  table.over(columns)(
+      "ixx_antiderivative", 695, "$I_{xx}$ is $x-x^7/73$ between $-1$ and 1.",
       {.quantity = "the inner integral's integral from 0 to $x$",
        .truth = from_columns,
        .printed = printed,
        .meant = meant,
        .why = filled(
-           "The bar above the 3 is lost in the text at hand: $(x-x^7/7)/3$, whose difference is @4, the integral. "
-           "As printed it is @4.",
+           "The bar above the 3 is lost: the difference of $(x-x^7/7)/3$ is @4, the integral. As printed it is @4.",
            {between_ends<double>(meant), between_ends<double>(printed)})});
 }
 
 struct Point {
   double x, y;
-  explicit Point(Random& random) : x(random.between(-2, 2)), y(random.between(-1, 2)) {}
-  std::string where() const { return "$(x,y)$ = (" + format_shortest(x) + ", " + format_shortest(y) + ")"; }
-  /// Whether the lamina and the region |x| <= bound, low(x) <= y <= 1 both contain the point, or neither.
-  bool alike(double bound, double (*low)(double)) const {
-    return (x * x <= y && y <= 1) == (abs(x) <= bound && low(x) <= y && y <= 1);
-  }
+  Letters<double> table() { return {{"x", x, {-2, 2}}, {"y", y, {-1, 2}}}; }
 };
 double wedge(double x) { return abs(x); }
 
 void region_and_order(Claims& claims, double seed) {
+  // whether the lamina and the region |x| <= bound, low(x) <= y <= 1 both contain the point, or neither
   const auto in = [](double bound, double (*low)(double)) {
-    return [=](const Point& p) { return p.alike(bound, low); };
+    return [=](const Point& p) {
+      return (p.x * p.x <= p.y && p.y <= 1) == (abs(p.x) <= bound && low(p.x) <= p.y && p.y <= 1);
+    };
   };
   claims.statement<Point>(
       "region", 667, R"(The region is $x^2\le y\le1$, $-1\le x\le1$.)", draw<Point>(4000, seed),
@@ -222,11 +205,9 @@ void region_and_order(Claims& claims, double seed) {
       const auto at = [=](double x, double y) { return Lamina{-1, 0, 1}.at(x, y)[k]; };
       return nested(sixteen, at, -1, 1, low, top);
     });
+    const Route by_columns{"columns, $y$ " + text, all.value};
     return Reading{text,
-                   {{"the six components",
-                     {"columns, $y$ " + text, all.value},
-                     {"by rows, in rationals", by_rows},
-                     rounding(1)}}};
+                   {{"the six components", by_columns, {"by rows, in rationals", by_rows}, rounding(1)}}};
   };
   claims.add(
       "similar", 701,
@@ -241,13 +222,13 @@ std::vector<Claim> claims(double seed) {
   Claims claims("2.13");
   region_and_order(claims, seed);
   ProvableClaims<CutOf> of_cuts(claims);
-  integrands(of_cuts, cuts(seed));
-  without_z(of_cuts, cuts(seed, 0));
-  const auto all = components();
-  for (std::size_t k = 0; k < 6; ++k) value(claims, all[k], k);
-  std::vector<Column> columns{{-1}, {1}};
-  Random random(seed);
-  for (int i = 0; i < 50; ++i) columns.push_back({random.between(-1, 1)});
+  auto cuts = draw<Cut>(4, seed);
+  integrands(of_cuts, cuts);
+  for (Cut& cut : cuts) cut.z = 0;
+  without_z(of_cuts, cuts);
+  for (std::size_t k = 0; const Component& c : components()) value(claims, c, k++);
+  auto columns = draw<Column>(50, seed);
+  columns.insert(columns.begin(), {{-1}, {1}});
   ProvableClaims<ColumnOf> of_columns(claims);
   inner_integral(of_columns, columns);
   antiderivative(of_columns, columns);
@@ -273,76 +254,57 @@ Expression component_integral(std::size_t k) { return by_definition<Shortened>(k
 }  // namespace
 
 Provables proofs() {
-  const std::string preamble = coq_source({"nested"});
-  const auto by_rows = in_rationals();
-  constexpr const char* names[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
   Provables proved;
   std::vector<Lemma> similar;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const auto [over, under] = by_rows[k];
+  for (std::size_t k = 0; const Component& c : components()) {
+    const auto [over, under] = c.exact;
     const Expression value = Expression(static_cast<double>(over)) / Expression(static_cast<double>(under));
-    similar.push_back({names[k], "", {}, {component_integral(k) == value}, antiderivatives[k]});
-    proved.push_back({"2.13-i" + std::string(names[k]),
-                      "the integral of its definition is this value",
-                      {similar.back()},
-                      0,
-                      preamble});
+    similar.push_back({c.letters, "", {}, {component_integral(k) == value}, antiderivatives[k]});
+    proved.push_back(
+        {"2.13-i" + c.letters, "the integral of its definition is this value", {similar.back()}});
+    ++k;
   }
   const auto off = [&](const Expression& printed, double margin) {
     const std::string is =
         "match goal with |- context [RInt ?f ?a ?b] => "
         "let is := fresh in assert (is : RInt f a b = 4 / 7) by (";
-    return Lemma{"printed_differs",
-                 "",
-                 {},
-                 {apart(printed, component_integral(0), margin)},
-                 is + antiderivatives[0] + "); rewrite is end; " + by_arithmetic};
+    const Proposition differ = apart(printed, component_integral(0), margin);
+    const std::string tactic = is + antiderivatives[0] + "); rewrite is end; " + by_arithmetic;
+    return Lemma{"printed_differs", "", {}, {differ}, tactic};
   };
   proved.front().lemmas.push_back(off(47.0, 46.4));
   proved.front().margin = 46.4;
   proved.front().says = "as meant it is the integral of its definition; as printed it is off";
-  proved.push_back({"2.13-similar", "the six components are these two integrals of their definitions",
-                    similar, 0, preamble});
+  proved.push_back(
+      {"2.13-similar", "the six components are these two integrals of their definitions", similar});
 
-  const auto letter = [](const char* name) { return Shortened::letter(name); };
   const std::string by_column =
       "apply RInt_ext; intros; apply RInt_ext; intros; cbv beta;\n"
       "  match goal with |- ?x = ?y => change (@eq R x y) end; ring";
   const std::string by_cube = "symmetry; integrate (fun y : R => y ^ 3 / 3); field";
   Claims claims("2.13");
-  const auto add = [&](const Provables& more) {
-    for (const Provable& one : more) proved.push_back(one), proved.back().preamble = preamble;
-  };
   ProvableClaims<CutOf> of_cuts(claims), flat(claims);
   integrands(of_cuts, {});
   without_z(flat, {});
-  add(of_cuts.proofs("2.13", {.any = {letter("left"), letter("z")},
-                              .letters = "(left z : R)",
-                              .tactic = by_column,
-                              .says = "it is that of the definition over any lamina"}));
-  add(flat.proofs("2.13", {.any = {letter("left"), 0.0},
-                           .letters = "(left : R)",
-                           .tactic = by_column,
-                           .says = "it is that of the definition at z = 0 over any lamina"}));
+  append(proved,
+         of_cuts.proofs("2.13", for_all<CutOf>(by_column, "it is that of the definition over any lamina")));
+  append(proved, flat.proofs("2.13", {.any = {Shortened::letter("left"), 0.0},
+                                      .letters = "(left : R)",
+                                      .tactic = by_column,
+                                      .says = "it is that of the definition at z = 0 over any lamina"}));
   ProvableClaims<ColumnOf> of_columns(claims);
   inner_integral(of_columns, {});
-  const ColumnOf<Shortened> at{letter("x")};
-  add(of_columns.proofs("2.13", {.any = at,
-                                 .letters = "(x : R)",
-                                 .tactic = by_cube,
-                                 .says = "it is the integral of a column, wherever it is"}));
+  const auto column = for_all<ColumnOf>(by_cube, "it is the integral of a column, wherever it is");
+  const auto is_integral = equal(meant.recorded(column.any), from_columns.recorded(column.any));
+  append(proved, of_columns.proofs("2.13", column));
   proved.push_back(
       {"2.13-ixx_antiderivative",
        "as meant it is the integral up to any column, and its ends make the whole; as printed they do not",
-       {{"meant",
-         "(x : R)",
-         {},
-         equal(meant.recorded(at), from_columns.recorded(at)),
-         "symmetry; " + std::string(antiderivatives[0])},
+       {{"meant", column.letters, {}, is_integral, "symmetry; " + std::string(antiderivatives[0])},
         {"meant_ends", "", {}, {component_integral(0) == between_ends<Shortened>(meant)}, antiderivatives[0]},
         off(between_ends<Shortened>(printed), 1.4)},
-       1.4,
-       preamble});
+       1.4});
+  for (Provable& one : proved) one.preamble = coq_source({"nested"});
   return proved;
 }
 
