@@ -206,44 +206,8 @@ std::vector<Claim> claims(double seed) {
 
 // ---- proofs -----------------------------------------------------------------------------------------------
 
-namespace {
-
-/// The first moments about the center, which H, H0 and H1 define.
-constexpr const char* first_moments_vanish = R"(
-  assert (f0 : total l (fun m x y z => m * (x - c0)) = 0)
-    by (transitivity (total l (fun m x y z => m * x) - c0 * total l (fun m x y z => m));
-        [clear -l; by_particles l | rewrite H; ring]);
-  assert (f1 : total l (fun m x y z => m * (y - c1)) = 0)
-    by (transitivity (total l (fun m x y z => m * y) - c1 * total l (fun m x y z => m));
-        [clear -l; by_particles l | rewrite H0; ring]);
-  assert (f2 : total l (fun m x y z => m * (z - c2)) = 0)
-    by (transitivity (total l (fun m x y z => m * z) - c2 * total l (fun m x y z => m));
-        [clear -l; by_particles l | rewrite H1; ring]);
-  )";
-
-/// A component about the origin exceeds its transfer by these multiples of the first moments about the
-/// center, t0, t1, t2.
-std::string by_center() {
-  std::string tactic = std::string(first_moments_vanish) + "first [rewrite ?f0, ?f1, ?f2; ring";
-  for (const std::string rest :
-       {"2 * c1 * t1 + 2 * c2 * t2", "2 * c0 * t0 + 2 * c2 * t2", "2 * c0 * t0 + 2 * c1 * t1",
-        "c1 * t0 + c0 * t1", "c2 * t0 + c0 * t2", "c2 * t1 + c1 * t2"})
-    tactic +=
-        "\n  | match goal with |- ?right = ?left =>\n"
-        "      pose (t0 := total l (fun m x y z => m * (x - c0)));\n"
-        "      pose (t1 := total l (fun m x y z => m * (y - c1)));\n"
-        "      pose (t2 := total l (fun m x y z => m * (z - c2)));\n"
-        "      assert (all : left = right + (" +
-        rest +
-        ")) by (unfold t0, t1, t2; clear -l; by_particles l);\n"
-        "      rewrite all; unfold t0, t1, t2; rewrite ?f0, ?f1, ?f2; ring end";
-  return tactic + "]";
-}
-
-}  // namespace
-
 Provables proofs() {
-  const auto letter = [](const char* name) { return Shortened::letter(name); };
+  const auto letter = Shortened::letter;
   SampleOf<Shortened> any{{{letter("m"), {letter("x"), letter("y"), letter("z")}}}};
   any.A = {letter("c0"), letter("c1"), letter("c2")};
   std::vector<Proposition> center;
@@ -264,7 +228,7 @@ Provables proofs() {
                 {},
                 equal(stated, truth),
                 "by_particles l"};
-    if (at_center) lemma.given = center, lemma.tactic = by_center();
+    if (at_center) lemma.given = center, lemma.tactic = "by_center l c0 c1 c2 H H0 H1";
     proved.push_back({"2.15-" + slug,
                       at_center ? "it holds of any number of particles about their center of mass"
                                 : "it is the component of any number of particles, about any point",
