@@ -530,12 +530,16 @@ struct Scene {
 /// Where the expected outcomes hold. A test tries the ends of the ranges for those that hold in them.
 enum class Expected { at_own_parameters, in_whole_ranges };
 
+struct Provable;
+using Provables = std::vector<Provable>;
+
 struct Exercise {
   std::string_view title;
   std::string_view asks;  ///< the book's question, in our words (Markdown with $math$)
   std::span<const Parameter> parameters;
   std::optional<Scene> scene;
   Findings (*study)(const Parameters&, const Reference&);
+  Provables (*proofs)() = nullptr;  ///< proofs of its claims (provable.hpp); null: none
   Expected expected = Expected::at_own_parameters;
 };
 

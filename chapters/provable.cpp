@@ -5,6 +5,8 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "chapters/contents.hpp"
+
 namespace oddity {
 
 namespace {
@@ -66,6 +68,13 @@ Provable& proof_of(Provables& all, std::string_view claim) {
   const auto found = std::ranges::find(all, claim, &Provable::claim);
   if (found == all.end()) throw std::logic_error("there is no proof of " + std::string(claim));
   return *found;
+}
+
+Provables provables() {
+  Provables all;
+  for (const Entry& entry : registry())
+    if (entry.exercise.proofs) append(all, entry.exercise.proofs());
+  return all;
 }
 
 std::string coq_file(const Provable& provable) {

@@ -1,5 +1,5 @@
 # Registers made from file names, so that a new file needs no other edit: exercises, generators of tables,
-# proofs, algorithms, and the numbers of unknowns for which these are compiled.
+# algorithms, and the numbers of unknowns for which these are compiled.
 
 # Writes the register of these exercises to `output`. Files of the tree have relative paths, others full
 # paths.
@@ -72,37 +72,6 @@ const std::vector<Entry>& registry() {
 }
 
 }  // namespace oddity::truth
-]] @ONLY)
-endfunction()
-
-# Writes the register of proofs to `output`: each `Provables proofs_N_M() {` of these files.
-function(register_proofs output)
-  set(proof_declarations "")
-  set(proof_calls "")
-  foreach(file IN LISTS ARGN)
-    file(READ ${file} text)
-    string(REGEX MATCHALL "Provables[ \n]+proofs_[0-9]+_[0-9]+[(][)][ \n]*{" found "${text}")
-    foreach(one IN LISTS found)
-      string(REGEX MATCH "proofs_[0-9]+_[0-9]+" name "${one}")
-      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-      string(APPEND proof_declarations "Provables ${name}();  // ${file}\n")
-      string(APPEND proof_calls "${name}, ")
-    endforeach()
-  endforeach()
-  file(CONFIGURE OUTPUT ${output} CONTENT [[
-#include "chapters/provable.hpp"
-
-namespace oddity {
-
-@proof_declarations@
-Provables provables() {
-  Provables all;
-  for (auto* of_exercise : {@proof_calls@})
-    for (Provable& one : of_exercise()) all.push_back(std::move(one));
-  return all;
-}
-
-}  // namespace oddity
 ]] @ONLY)
 endfunction()
 

@@ -456,8 +456,6 @@ Provables proofs() {
 
 }  // namespace ex02_01
 
-Provables proofs_2_1() { return ex02_01::proofs(); }
-
 Exercise exercise_2_1() {
   using namespace ex02_01;
   return {"Curve that changes its plane",
@@ -468,6 +466,7 @@ Exercise exercise_2_1() {
           [](const Parameters& p, const Reference&) {
             return Findings{claims(p["h"], p["seed"]), {one_sided_limits(p["h"])}};
           },
+          proofs,
           Expected::in_whole_ranges};
 }
 

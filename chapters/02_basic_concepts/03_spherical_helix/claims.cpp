@@ -325,9 +325,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::spherical_helix
-
-namespace oddity {
-
-Provables proofs_2_3() { return spherical_helix::proofs(); }
-
-}  // namespace oddity

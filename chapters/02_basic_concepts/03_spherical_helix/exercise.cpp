@@ -39,7 +39,8 @@ Exercise exercise_2_3() {
       R"(where it ends.)",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -62,6 +62,7 @@ Quantity colatitude(const std::string& name, double t, const Reference&);
 Quantity limits_at_infinity();
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::spherical_helix

@@ -566,9 +566,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::rotating_axis
-
-namespace oddity {
-
-Provables proofs_2_5() { return rotating_axis::proofs(); }
-
-}  // namespace oddity

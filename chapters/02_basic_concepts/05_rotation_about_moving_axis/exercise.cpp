@@ -41,7 +41,8 @@ Exercise exercise_2_5() {
           R"($\mathrm{Skew}(\mathbf D)$, $\sigma$ and $\gamma$ are the sine and the cosine of $\theta$.)",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -10,6 +10,7 @@ namespace oddity::rotating_axis {
 Quantity angular_velocity(const Parameters&, const Reference&);
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::rotating_axis

@@ -407,9 +407,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::curve_on_sphere
-
-namespace oddity {
-
-Provables proofs_2_7() { return curve_on_sphere::proofs(); }
-
-}  // namespace oddity

@@ -25,6 +25,7 @@ Quantity orientation(const Parameters&, const Horizon&, const Reference&);
 Quantity orthogonality(const Quantity& orientation);
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::curve_on_sphere

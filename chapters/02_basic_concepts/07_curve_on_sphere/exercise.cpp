@@ -61,7 +61,10 @@ Exercise exercise_2_7() {
   return {"Orientation along a curve on a sphere",
           "A rigid sphere is turned so that a point of it follows $((1-t^2)\\cos\\pi t,(1-t^2)\\sin\\pi "
           "t,t^2)/\\sqrt{(1-t^2)^2+t^4}$: choose an orientation matrix and find the angular velocity.",
-          parameters, scene(), study};
+          parameters,
+          scene(),
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -40,6 +40,7 @@ using Particle = ParticleOf<double>;
 
 /// `k` is the exponent of the half disc's density.
 std::vector<Claim> claims(double seed, double k);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::balance

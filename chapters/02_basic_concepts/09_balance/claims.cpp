@@ -356,9 +356,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::balance
-
-namespace oddity {
-
-Provables proofs_2_9() { return balance::proofs(); }
-
-}  // namespace oddity

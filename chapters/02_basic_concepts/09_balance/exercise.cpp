@@ -163,6 +163,7 @@ Exercise exercise_2_9() {
       parameters,
       {},
       study,
+      proofs,
       Expected::in_whole_ranges};
 }
 

@@ -297,8 +297,6 @@ Provables proofs() {
 
 }  // namespace ex02_11
 
-Provables proofs_2_11() { return ex02_11::proofs(); }
-
 Exercise exercise_2_11() {
   using namespace ex02_11;
   return {
@@ -309,7 +307,8 @@ Exercise exercise_2_11() {
       R"($\mathbf a\times\mathbf b$ in that frame.)",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -309,9 +309,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::lamina_inertia
-
-namespace oddity {
-
-Provables proofs_2_13() { return lamina_inertia::proofs(); }
-
-}  // namespace oddity

@@ -110,7 +110,8 @@ Exercise exercise_2_13() {
           "$z=0$, with unit density.",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

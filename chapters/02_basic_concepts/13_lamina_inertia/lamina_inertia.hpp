@@ -44,5 +44,6 @@ struct Lamina {
 };
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 
 }  // namespace oddity::lamina_inertia

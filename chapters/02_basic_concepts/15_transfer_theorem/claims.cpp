@@ -240,9 +240,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::transfer_theorem
-
-namespace oddity {
-
-Provables proofs_2_15() { return transfer_theorem::proofs(); }
-
-}  // namespace oddity

@@ -38,6 +38,7 @@ Exercise exercise_2_15() {
           parameters,
           {},
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

@@ -35,5 +35,6 @@ Quantity about_origin(const Parameters&, const Reference&);
 Quantity about_center(const Parameters&, const Reference&);
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 
 }  // namespace oddity::transfer_theorem

@@ -483,9 +483,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::work_on_circle
-
-namespace oddity {
-
-Provables proofs_2_17() { return work_on_circle::proofs(); }
-
-}  // namespace oddity

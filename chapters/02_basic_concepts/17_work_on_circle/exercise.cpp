@@ -39,7 +39,8 @@ Exercise exercise_2_17() {
       "until the time $T$, and when is it extremal? Below $v$ is the velocity, and $W$ the work.",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

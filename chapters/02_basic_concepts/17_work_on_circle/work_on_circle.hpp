@@ -49,6 +49,7 @@ Quantity early_work(const Reference&);
 Quantity maximum(const Motion&, double turn, const Reference&);
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::work_on_circle

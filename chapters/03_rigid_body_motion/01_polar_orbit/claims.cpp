@@ -416,9 +416,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex03_01
-
-namespace oddity {
-
-Provables proofs_3_1() { return ex03_01::proofs(); }
-
-}  // namespace oddity

@@ -146,7 +146,8 @@ Exercise exercise_3_1() {
           "focus at the origin.",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -30,6 +30,7 @@ using Ellipse = EllipseOf<double>;
 
 // claims.cpp
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_01

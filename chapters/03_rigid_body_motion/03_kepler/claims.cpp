@@ -1353,9 +1353,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::kepler
-
-namespace oddity {
-
-Provables proofs_3_3() { return kepler::proofs(); }
-
-}  // namespace oddity

@@ -367,6 +367,7 @@ Exercise exercise_3_3() {
       parameters,
       scene(),
       study,
+      proofs,
       Expected::in_whole_ranges};
 }
 

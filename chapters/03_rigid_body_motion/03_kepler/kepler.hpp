@@ -153,6 +153,7 @@ inline Estimate error_of_lagrange_series(double e, double M, int terms) {
 
 /// Checked on random orbits.
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 // Tactics of tactics.cpp: a moment's distance, the characteristic roots, a circle, bounds.

@@ -452,8 +452,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex03_05
 
-Provables proofs_3_5() { return ex03_05::proofs(); }
-
 Exercise exercise_3_5() {
   using namespace ex03_05;
   return {"Pendulum from 30 degrees",
@@ -462,6 +460,7 @@ Exercise exercise_3_5() {
           parameters,
           scene(),
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

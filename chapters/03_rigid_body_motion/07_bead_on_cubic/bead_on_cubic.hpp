@@ -29,6 +29,7 @@ Quantity slide(const bead_on_cubic::Given<double>&, const Horizon&, const Refere
 
 // claims.cpp
 std::vector<Claim> claims(double seed, const Reference&);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_07

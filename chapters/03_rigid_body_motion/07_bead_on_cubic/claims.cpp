@@ -413,9 +413,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_07
-
-namespace oddity {
-
-Provables proofs_3_7() { return ex03_07::proofs(); }
-
-}  // namespace oddity

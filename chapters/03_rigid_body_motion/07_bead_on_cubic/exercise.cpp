@@ -73,7 +73,10 @@ Exercise exercise_3_7() {
       "Bead on a cubic curve",
       "A bead slides without friction on the curve $(q,q^2,q^3)$ under gravity $-g\\,k$, let go at rest at "
       "$q=1$. Does $q$ decrease all the time, and when is the bead at the origin?",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -892,9 +892,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_09
-
-namespace oddity {
-
-Provables proofs_3_9() { return ex03_09::proofs(); }
-
-}  // namespace oddity

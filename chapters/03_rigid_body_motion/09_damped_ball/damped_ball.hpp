@@ -23,6 +23,7 @@ Quantity stability_limit(const Ball&);
 
 // claims.cpp
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_09

@@ -98,6 +98,7 @@ Exercise exercise_3_9() {
           parameters,
           scene(),
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

@@ -366,9 +366,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_11
-
-namespace oddity {
-
-Provables proofs_3_11() { return ex03_11::proofs(); }
-
-}  // namespace oddity

@@ -146,6 +146,7 @@ Exercise exercise_3_11() {
           parameters,
           scene(),
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

@@ -9,6 +9,7 @@ namespace oddity::ex03_11 {
 
 // claims.cpp
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_11

@@ -655,9 +655,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_13
-
-namespace oddity {
-
-Provables proofs_3_13() { return ex03_13::proofs(); }
-
-}  // namespace oddity

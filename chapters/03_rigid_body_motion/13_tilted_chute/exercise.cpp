@@ -117,6 +117,7 @@ Exercise exercise_3_13() {
       parameters,
       scene(),
       study,
+      proofs,
       Expected::in_whole_ranges};
 }
 

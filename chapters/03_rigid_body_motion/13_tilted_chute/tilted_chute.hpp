@@ -18,6 +18,7 @@ Quantity from_rim(const Ball&, const Horizon&, const Reference&);
 
 // claims.cpp
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_13

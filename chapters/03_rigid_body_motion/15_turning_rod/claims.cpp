@@ -709,9 +709,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex03_15
-
-namespace oddity {
-
-Provables proofs_3_15() { return ex03_15::proofs(); }
-
-}  // namespace oddity

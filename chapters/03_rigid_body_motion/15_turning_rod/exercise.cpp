@@ -219,6 +219,7 @@ Exercise exercise_3_15() {
           parameters,
           scene(),
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

@@ -8,6 +8,7 @@
 namespace oddity::ex03_15 {
 
 std::vector<Claim> claims(double seed, const Reference& truth);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_15

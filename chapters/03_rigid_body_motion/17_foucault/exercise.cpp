@@ -118,7 +118,10 @@ Exercise exercise_3_17() {
   return {"Foucault pendulum",
           "Derive the motion of a Foucault pendulum of length $L$ at latitude $\\lambda$ on an Earth that "
           "turns at $\\omega$ by Lagrange's equations. Then replace the point mass by a solid cone.",
-          parameters, scene(), study};
+          parameters,
+          scene(),
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -88,6 +88,7 @@ Quantity cone_swing(Given<double>, const Cone&, const Horizon&, const Reference&
 Quantity inertia(const Cone&);
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 /// Proofs of claims about the point mass.
 Provables pendulum_proofs();
 /// Proofs of claims about the cone.

@@ -665,9 +665,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_19
-
-namespace oddity {
-
-Provables proofs_3_19() { return ex03_19::proofs(); }
-
-}  // namespace oddity

@@ -276,7 +276,10 @@ Exercise exercise_3_19() {
       "A spring holds, by a rope over a fixed pulley, a second pulley; another spring holds, by a rope over "
       "that one, a mass. Find the equations of motion for the depths $y_2$ of the second pulley and $y_3$ of "
       "the mass.",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

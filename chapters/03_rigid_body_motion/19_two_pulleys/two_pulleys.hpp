@@ -8,6 +8,7 @@
 namespace oddity::ex03_19 {
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_19

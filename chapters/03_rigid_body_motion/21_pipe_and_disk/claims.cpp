@@ -355,9 +355,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_21
-
-namespace oddity {
-
-Provables proofs_3_21() { return ex03_21::proofs(); }
-
-}  // namespace oddity

@@ -205,6 +205,7 @@ Exercise exercise_3_21() {
           parameters,
           scene(),
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

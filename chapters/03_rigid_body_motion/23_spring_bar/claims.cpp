@@ -178,9 +178,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex03_23
-
-namespace oddity {
-
-Provables proofs_3_23() { return ex03_23::proofs(); }
-
-}  // namespace oddity

@@ -227,7 +227,10 @@ Exercise exercise_3_23() {
       "A light bar, hinged at one end, carries a mass $m$ at the distance $r$. At the distance $s$ it rests "
       "on a spring whose foot is $h$ below the level bar. What is its equation of motion, and when is it in "
       "equilibrium at $\\theta=0$?",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

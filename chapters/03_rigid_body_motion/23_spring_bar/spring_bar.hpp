@@ -11,5 +11,6 @@ namespace oddity::ex03_23 {
 constexpr spring_bar::Given<double> usual{1, 1, 0.5, 98.1, 0.8, 9.81, 1, 0.3, 0};
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 
 }  // namespace oddity::ex03_23

@@ -34,5 +34,6 @@ struct Pattern {
 Quantity hanging(const Triple&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Triple&, const Reference&);
 std::vector<Claim> claims(double seed);
+Provables proofs();
 
 }  // namespace oddity::ex03_25

@@ -410,9 +410,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex03_25
-
-namespace oddity {
-
-Provables proofs_3_25() { return ex03_25::proofs(); }
-
-}  // namespace oddity

@@ -143,6 +143,7 @@ Exercise exercise_3_25() {
       parameters,
       scene(),
       study,
+      proofs,
       Expected::in_whole_ranges};
 }
 

@@ -304,6 +304,22 @@ void state_and_data(Claims& claims, const Reference& truth) {
       {.printed = in_steps(0.01), .near_misses = {in_steps(0.25)}});
 }
 
+}  // namespace
+
+std::vector<double> inputs(const Bodies& b) { return {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}; }
+
+std::vector<Claim> claims(double seed, const Reference& truth) {
+  Claims claims("3.27");
+  Table table(claims);
+  const auto samples = draw<Sample>(200, seed);
+  equations(claims, samples, draw<PastThePole>(20, seed));
+  constants(table, samples);
+  accelerations(table, samples);
+  motions(claims, draw<Later>(20, seed));
+  state_and_data(claims, truth);
+  return claims.in_order();
+}
+
 Provables proofs() {
   Claims claims("3.27");
   Table table(claims);
@@ -322,26 +338,4 @@ Provables proofs() {
   return proved;
 }
 
-}  // namespace
-
-std::vector<double> inputs(const Bodies& b) { return {b.G, b.m1, b.m2, b.r0, b.r0_dot, b.phi0, b.phi0_dot}; }
-
-std::vector<Claim> claims(double seed, const Reference& truth) {
-  Claims claims("3.27");
-  Table table(claims);
-  const auto samples = draw<Sample>(200, seed);
-  equations(claims, samples, draw<PastThePole>(20, seed));
-  constants(table, samples);
-  accelerations(table, samples);
-  motions(claims, draw<Later>(20, seed));
-  state_and_data(claims, truth);
-  return claims.in_order();
-}
-
 }  // namespace oddity::two_bodies
-
-namespace oddity {
-
-Provables proofs_3_27() { return two_bodies::proofs(); }
-
-}  // namespace oddity

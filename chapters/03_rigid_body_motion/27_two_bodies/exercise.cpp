@@ -273,7 +273,10 @@ Exercise exercise_3_27() {
       "Two bodies by distance and angle",
       "Two bodies attract each other by gravity. Write their motion as a first-order system in the distance "
       "$r$, its rate $u$ and the angle $\\varphi$, ready to be integrated.",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -19,5 +19,6 @@ constexpr double need = 1e-6;  ///< m
 std::vector<double> inputs(const Bodies&);
 
 std::vector<Claim> claims(double seed, const Reference&);
+Provables proofs();
 
 }  // namespace oddity::two_bodies

@@ -557,9 +557,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex03_29
-
-namespace oddity {
-
-Provables proofs_3_29() { return ex03_29::proofs(); }
-
-}  // namespace oddity

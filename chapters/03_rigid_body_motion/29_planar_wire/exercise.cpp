@@ -101,7 +101,10 @@ Exercise exercise_3_29() {
       R"(its center of mass at $c=(x,y)$, the moment $\mu_2$ about it, and is turned by $\theta$. Its )"
       R"(points have the places $b=(b_0,b_1)$ from the center of mass before the turn $R(\theta)$, the )"
       R"(density $\delta$ and the arc length $s$.)",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -69,6 +69,7 @@ Quantity fall(const Given&, const Horizon&, const Reference&);
 /// Inertias of the three wires.
 std::vector<Quantity> inertias(const Given&, const Reference&);
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex03_29

@@ -425,9 +425,3 @@ std::vector<Root> roots(const Top& top) {
 }
 
 }  // namespace oddity::ex03_33
-
-namespace oddity {
-
-Provables proofs_3_33() { return ex03_33::proofs(); }
-
-}  // namespace oddity

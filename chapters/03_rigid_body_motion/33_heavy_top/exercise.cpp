@@ -109,7 +109,10 @@ Exercise exercise_3_33() {
       R"(in the angles $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin) of )"
       R"($R=R_z(\theta)R_x(\phi)R_z(\psi)$, which takes body to world coordinates. In body coordinates it )"
       R"(has the angular velocity $\mathbf w$ and the inertia tensor $J$.)",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -16,6 +16,7 @@ inline constexpr double duration = 4;  ///< s, of the axis' motion
 Quantity axis(const Top&, const Horizon&, const Reference&);
 std::vector<Quantity> quantities(const Top&, const Reference&);
 std::vector<Claim> claims(double seed, const Top& start);
+Provables proofs();
 std::vector<Root> roots(const Top&);
 /// Frequency of the nutation of a top's axis.
 double nods_a_second(const Top&);

@@ -416,9 +416,3 @@ std::vector<Root> roots(const Top& top, const Deviation& off) {
 }
 
 }  // namespace oddity::ex03_35
-
-namespace oddity {
-
-Provables proofs_3_35() { return ex03_35::proofs(); }
-
-}  // namespace oddity

@@ -88,7 +88,10 @@ Exercise exercise_3_35() {
       R"(at $\ell$ from the tip along the axis $\boldsymbol\xi_3$, and the moments $\mu_1$ and $\mu_3$ about the )"
       R"(tip, across the axis and about it; the angles are $\theta$ (precession), $\phi$ (tilt) and $\psi$ (spin), )"
       R"(the angular velocity in body coordinates is $\mathbf w$.)",
-      parameters, scene(), study};
+      parameters,
+      scene(),
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -30,6 +30,7 @@ struct Deviation {
 };
 
 std::vector<Claim> claims(double seed, const Top&, const Deviation&);
+Provables proofs();
 std::vector<Root> roots(const Top&, const Deviation&);
 
 }  // namespace oddity::ex03_35

@@ -142,8 +142,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex05_01
 
-Provables proofs_5_1() { return ex05_01::proofs(); }
-
 Exercise exercise_5_1() {
   using namespace ex05_01;
   return {"Directional derivative of the position",
@@ -151,7 +149,8 @@ Exercise exercise_5_1() {
           "Below $x_{0,1}$ is the derivative of $x_0$ with respect to $x_1$.",
           field_parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -88,7 +88,8 @@ Exercise exercise_5_3() {
       "shows in the flux through a closed surface: $4\\pi$ around it, zero otherwise.",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

@@ -56,6 +56,7 @@ T sum_of_brackets(const Triple<T>& x, T factor) {
 }
 
 std::vector<Claim> claims(const Random&, const Reference&);
+Provables proofs();
 std::vector<Root> roots();
 
 Quantity partials(const std::string& name, const std::string& says, const Point& x, const Reference&);

@@ -132,9 +132,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex05_03
-
-namespace oddity {
-
-Provables proofs_5_3() { return ex05_03::proofs(); }
-
-}  // namespace oddity

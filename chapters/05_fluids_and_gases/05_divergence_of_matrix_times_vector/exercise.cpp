@@ -243,8 +243,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex05_05
 
-Provables proofs_5_5() { return ex05_05::proofs(); }
-
 Exercise exercise_5_5() {
   using namespace ex05_05;
   return {"Divergence of a matrix times a vector",
@@ -252,7 +250,8 @@ Exercise exercise_5_5() {
           "Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

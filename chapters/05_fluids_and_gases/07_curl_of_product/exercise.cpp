@@ -111,8 +111,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex05_07
 
-Provables proofs_5_7() { return ex05_07::proofs(); }
-
 Exercise exercise_5_7() {
   using namespace ex05_07;
   return {
@@ -121,7 +119,8 @@ Exercise exercise_5_7() {
       "\\nabla\\varphi\\times\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
       field_parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

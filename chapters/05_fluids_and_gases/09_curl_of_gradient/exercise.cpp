@@ -287,8 +287,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex05_09
 
-Provables proofs_5_9() { return ex05_09::proofs(); }
-
 Exercise exercise_5_9() {
   using namespace ex05_09;
   return {"Curl of a gradient",
@@ -296,7 +294,8 @@ Exercise exercise_5_9() {
           "$\\varphi$ by $x_1$, then by $x_2$.",
           field_parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

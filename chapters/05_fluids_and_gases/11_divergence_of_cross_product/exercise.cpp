@@ -135,8 +135,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex05_11
 
-Provables proofs_5_11() { return ex05_11::proofs(); }
-
 Exercise exercise_5_11() {
   using namespace ex05_11;
   return {
@@ -145,7 +143,8 @@ Exercise exercise_5_11() {
       "- (\\nabla\\times\\mathbf g)\\cdot\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
       field_parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

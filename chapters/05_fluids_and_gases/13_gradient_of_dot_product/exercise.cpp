@@ -149,8 +149,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex05_13
 
-Provables proofs_5_13() { return ex05_13::proofs(); }
-
 Exercise exercise_5_13() {
   using namespace ex05_13;
   return {
@@ -160,7 +158,8 @@ Exercise exercise_5_13() {
       "(\\mathbf g\\cdot\\nabla)\\mathbf f$. Below $f_{2,1}$ is the derivative of $f_2$ with respect to $x_1$.",
       field_parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

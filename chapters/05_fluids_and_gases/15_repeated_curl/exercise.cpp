@@ -33,7 +33,8 @@ Exercise exercise_5_15() {
       "derivative of $f_m$ with respect to $x_j$ and $x_l$.",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

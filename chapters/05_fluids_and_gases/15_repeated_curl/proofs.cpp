@@ -160,9 +160,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex05_15
-
-namespace oddity {
-
-Provables proofs_5_15() { return ex05_15::proofs(); }
-
-}  // namespace oddity

@@ -236,4 +236,6 @@ Lines lines(Random);
 /// The curls applied 1, ..., `most` times.
 std::vector<Quantity> quantities(const fields::At&, double most, const Reference&);
 
+Provables proofs();
+
 }  // namespace oddity::ex05_15

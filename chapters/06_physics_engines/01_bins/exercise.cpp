@@ -305,6 +305,7 @@ Exercise exercise_6_1() {
       parameters,
       {},
       study,
+      nullptr,
       Expected::in_whole_ranges};
 }
 

@@ -486,9 +486,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex06_05
-
-namespace oddity {
-
-Provables proofs_6_5() { return ex06_05::proofs(); }
-
-}  // namespace oddity

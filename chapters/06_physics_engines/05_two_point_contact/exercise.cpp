@@ -236,7 +236,8 @@ Exercise exercise_6_5() {
           "arm of $P$ from the center of mass.",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -105,6 +105,7 @@ inline Matrix3d box_inertia(double mass, double a, double b, double c) {
 }
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 std::vector<Root> roots(const Parameters&, const Quantity& patch);
 
 }  // namespace oddity::ex06_05

@@ -94,6 +94,7 @@ std::vector<T> solve_full(Rows<T> m, Clearing clearing, Diagonal diagonal) {
 }
 
 std::vector<Claim> claims(const Random&);
+Provables proofs();
 std::vector<Root> roots();
 
 /// A random system of n equations, solved by every elimination. In a `large` one the numbers of crosswise

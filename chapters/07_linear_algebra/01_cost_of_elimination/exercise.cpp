@@ -50,7 +50,8 @@ Exercise exercise_7_1() {
           "that, and is it ever cheaper than forward elimination with back substitution?",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

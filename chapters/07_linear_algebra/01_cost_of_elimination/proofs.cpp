@@ -70,6 +70,4 @@ Provables proofs() {
 
 }  // namespace ex07_01
 
-Provables proofs_7_1() { return ex07_01::proofs(); }
-
 }  // namespace oddity

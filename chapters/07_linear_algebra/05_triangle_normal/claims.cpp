@@ -250,9 +250,3 @@ std::vector<Root> roots() {
 }
 
 }  // namespace oddity::ex07_05
-
-namespace oddity {
-
-Provables proofs_7_5() { return ex07_05::proofs(); }
-
-}  // namespace oddity

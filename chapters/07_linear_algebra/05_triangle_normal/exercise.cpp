@@ -176,6 +176,7 @@ Exercise exercise_7_5() {
           parameters,
           {},
           study,
+          proofs,
           Expected::in_whole_ranges};
 }
 

@@ -8,6 +8,7 @@
 namespace oddity::ex07_05 {
 
 std::vector<Claim> claims(const Random&);
+Provables proofs();
 std::vector<Root> roots();
 
 }  // namespace oddity::ex07_05

@@ -175,9 +175,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex07_07
-
-namespace oddity {
-
-Provables proofs_7_7() { return ex07_07::proofs(); }
-
-}  // namespace oddity

@@ -204,7 +204,8 @@ Exercise exercise_7_7() {
           "basis is nearly dependent?",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -8,5 +8,6 @@
 namespace oddity::ex07_07 {
 
 std::vector<Claim> claims(const Random&);
+Provables proofs();
 
 }  // namespace oddity::ex07_07

@@ -265,9 +265,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex07_09
-
-namespace oddity {
-
-Provables proofs_7_9() { return ex07_09::proofs(); }
-
-}  // namespace oddity

@@ -60,5 +60,6 @@ T by_cofactors(const Matrix4<T>& m) {
 }
 
 std::vector<Claim> claims(const Random&);
+Provables proofs();
 
 }  // namespace oddity::ex07_09

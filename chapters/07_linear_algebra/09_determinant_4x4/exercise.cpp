@@ -208,7 +208,8 @@ Exercise exercise_7_9() {
           "terms with their signs.",
           parameters,
           {},
-          study};
+          study,
+          proofs};
 }
 
 }  // namespace oddity

@@ -355,8 +355,6 @@ Findings study(const Parameters& p, const Reference& truth) {
 
 }  // namespace ex08_01
 
-Provables proofs_8_1() { return ex08_01::proofs(); }
-
 Exercise exercise_8_1() {
   using namespace ex08_01;
   return {
@@ -366,6 +364,7 @@ Exercise exercise_8_1() {
       parameters,
       {},
       study,
+      proofs,
       Expected::in_whole_ranges};
 }
 

@@ -346,6 +346,7 @@ Exercise exercise_8_3() {
           parameters,
           {},
           study,
+          nullptr,
           Expected::in_whole_ranges};
 }
 

@@ -270,9 +270,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex08_05
-
-namespace oddity {
-
-Provables proofs_8_5() { return ex08_05::proofs(); }
-
-}  // namespace oddity

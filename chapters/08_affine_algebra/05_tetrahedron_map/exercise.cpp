@@ -269,7 +269,8 @@ Exercise exercise_8_5() {
       "$P$, by its barycentric coordinates $c_i$. Below $V_i=P_i-P_0$ and $V=P-P_0$.",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

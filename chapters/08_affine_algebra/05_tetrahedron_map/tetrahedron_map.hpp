@@ -58,5 +58,6 @@ Vector<T> by_volumes(const TetrahedronOf<T>& t, const Vector<T>& p) {
 }
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 
 }  // namespace oddity::ex08_05

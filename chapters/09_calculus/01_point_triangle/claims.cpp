@@ -348,9 +348,3 @@ Provables proofs() {
 }
 
 }  // namespace oddity::ex09_01
-
-namespace oddity {
-
-Provables proofs_9_1() { return ex09_01::proofs(); }
-
-}  // namespace oddity

@@ -251,7 +251,8 @@ Exercise exercise_9_1() {
       "word: checked is that the seven regions minimize it.)",
       parameters,
       {},
-      study};
+      study,
+      proofs};
 }
 
 }  // namespace oddity

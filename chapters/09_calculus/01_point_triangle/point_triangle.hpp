@@ -277,5 +277,6 @@ T gradient_distance(const Triangle<T>& w, const Vec<T>& p, int steps) {
 }
 
 std::vector<Claim> claims(double seed);
+Provables proofs();
 
 }  // namespace oddity::ex09_01
