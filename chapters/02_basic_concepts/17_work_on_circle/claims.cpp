@@ -322,10 +322,9 @@ void extrema(Claims& claims, const Samples& samples) {
                  }},
        .near_misses = {peaks("where $W'=0$ there is a minimum", constant, 0, 1, -1, -1)},
        .kind = Fault::counterexample,
-       .why =
-           filled(R"(Every other such time, $\omega T=5\pi/4,13\pi/4,\ldots$, is a minimum, )"
-                  R"($W=-r(\sqrt2+1)=@3\,r$. Two sentences on the text has half of these times as minima.)",
-                  {work_of(constant, Motion{1, 1, 5 * pi / 4})})});
+       .why = filled(R"(Every other such time, $\omega T=5\pi/4,13\pi/4,\ldots$, is a minimum, )"
+                     R"($W=-r(\sqrt2+1)=@3\,r$. Two sentences later half of these times are minima.)",
+                     {work_of(constant, Motion{1, 1, 5 * pi / 4})})});
   claims.statement<Sample>(
       "halves", 823, "Half of these times lead to a minimum, the other half to a maximum.", samples.cases,
       {.printed = peaks("even $k$: maximum, odd $k$: minimum", constant, -6, 1, 1, -1),

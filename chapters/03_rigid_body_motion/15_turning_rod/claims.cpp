@@ -214,9 +214,9 @@ void geometry(Table& table, const Samples& samples) {
        .meant = R"($(1,0,1)/\sqrt2$)",
        .kind = Fault::formula,
        .why = filled(
-           R"($D$ is a unit vector (1741), and $(a,0,a)$ has the length $L$, @1 in the listing. It does no harm )"
-           R"(to a zero, but a mass thrown along the segment would get so many times its $\dot\lambda(0)$.)",
-           {2 * book.s0})});
+           R"($D$ is a unit vector (1741), and $(a,0,a)$ has the length $L$, @1 in the listing. For a mass )"
+           R"(at rest it makes no difference; one thrown along the segment would have @1 times its speed.)",
+           {2 * book.s0, 2 * book.s0})});
   claim(
       "starts_at_rest", 1843, R"(The mass has the initial velocity $\dot x(0)=(0,0,0)$)",
       {.quantity = R"($\dot x(0)$)",
