@@ -16,6 +16,7 @@ struct SampleOf : MotionOf<G> {
   G t = {};
   int k = 0;
   Letters<G> table() { return {{"r", this->r}, {R"(\omega)", this->w, {}, "w"}, {"T", this->T}, {"t", t}}; }
+  std::string where() const { return listed(typeset_of(*this), 3); }
   double size() const { return abs(this->r) * (10 + abs(this->x())); }  // the work of a turn
   TypesetIn<G> typeset() const {
     return {{R"(\dot t)", 1.0}, {"h", std::pow(2.0, -k)}, {"x", this->x()}, {"n", static_cast<double>(k)}};

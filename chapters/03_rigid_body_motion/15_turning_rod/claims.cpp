@@ -119,6 +119,7 @@ struct SampleOf {
             {R"(\ddot\lambda)", A, either_sign(0.1, 5), "A"},
             {"t", t, {-5, 5}}};
   }
+  std::string where() const { return listed({{"c", c}, {R"(\omega)", w}, {R"(\lambda)", s}, {"t", t}}, 4); }
   TypesetIn<T> typeset() const {
     return {{"x", x()},
             {R"(\dot x)", velocity()},
