@@ -13,6 +13,7 @@
 #include "report/pages/code.hpp"
 #include "report/study/embedded.hpp"
 #include "report/study/frames.hpp"
+#include "report/text/used_code.hpp"
 #include "report/verify/catch.hpp"
 #include "tests/complaint.hpp"
 #include "tests/printed.hpp"
@@ -216,6 +217,23 @@ TEST_CASE("headers that are printed need the standard library only", "[code]") {
         INFO(header.path << ": " << line);
         CHECK(line.find_first_of("/.") == std::string::npos);
       }
+  }
+}
+
+TEST_CASE("each standard header of a printed one is known by what is used of it", "[code]") {
+  for (const EmbeddedFile& header : embedded_headers()) {
+    std::istringstream lines{std::string(header.text)};
+    std::string code;
+    std::vector<std::string> included;
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with("#include <"))
+        included.push_back(line.substr(10, line.find('>') - 10));
+      else
+        code += line + "\n";
+    for (const std::string& standard : included) {
+      INFO(header.path << ": " << standard);
+      CHECK(needs_standard(standard, code));
+    }
   }
 }
 

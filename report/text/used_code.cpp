@@ -273,7 +273,7 @@ bool needs_standard(std::string_view name, std::string_view code) {
       {"string_view", std::regex(R"(std::string_view\b)")},
       {"tuple", std::regex(R"(std::(tuple\w*|tie|get|make_tuple)\b)")},
       {"limits", std::regex(R"(std::numeric_limits\b)")},
-      {"algorithm", std::regex(R"(std::(min|max|clamp|copy|copy_n|fill|any_of|all_of|ranges)\b)")},
+      {"algorithm", std::regex(R"(std::(min|max|clamp|copy|copy_n|fill|transform|any_of|all_of|ranges)\b)")},
       {"utility", std::regex(R"(std::(pair|move|swap|exchange|forward|declval)\b)")},
       {"type_traits", std::regex(R"(std::(\w+_v|is_\w+|remove_\w+|conditional_t|decay_t)\b)")},
   };
