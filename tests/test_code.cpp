@@ -220,7 +220,7 @@ TEST_CASE("headers that are printed need the standard library only", "[code]") {
   }
 }
 
-TEST_CASE("each standard header of a printed one is known by what is used of it", "[code]") {
+TEST_CASE("standard headers of a printed one are recognized by their functions", "[code]") {
   for (const EmbeddedFile& header : embedded_headers()) {
     std::istringstream lines{std::string(header.text)};
     std::string code;
