@@ -24,12 +24,15 @@ Texts texts(const Tokens& tokens) {
   return all;
 }
 
-/// Name of the rate: \dot x for x, \ddot x for \dot x; in plain text, one more prime.
+/// Name of the rate: \dot x for x, \ddot x for \dot x, \dot{\mathbf r} for \mathbf r; in plain text, one more
+/// prime.
 Texts rate_of(Texts letter, bool plain) {
   if (plain)
     letter.front() += "'";
   else if (letter.front() == R"(\dot)")
     letter.front() = R"(\ddot)";
+  else if (letter.front() == R"(\mathbf)" && letter.size() > 1)
+    letter.insert(letter.begin() + 2, "}"), letter.insert(letter.begin(), {R"(\dot)", "{"});
   else
     letter.insert(letter.begin(), R"(\dot)");
   return letter;

@@ -44,6 +44,14 @@ TEST_CASE("a reading of text only has the value of its text", "[claims]") {
   CHECK(verdict(wrong) == Verdict::wrong);
 }
 
+TEST_CASE("a derivative takes the rates of bold letters, too", "[claims]") {
+  const TypesetLetters letters{{R"(\mathbf r)", {1, 2, 3}},
+                               {R"(\dot{\mathbf r})", {0, -1, 2}},
+                               {R"(\mathbf u_1)", {2, 0, 1}},
+                               {R"(\dot{\mathbf u}_1)", {-1, 4, 5}}};
+  CHECK(value(R"($\frac{d}{dt}(\mathbf r\cdot\mathbf u_1)$)", letters) == 24);
+}
+
 TEST_CASE("every single change of a right text is a near miss, and the hardest to see is shown", "[claims]") {
   const Claim right = claim({.truth = truth, .printed = {"$x^2-2y$"}});
   REQUIRE(right.near_misses.size() == 1);
