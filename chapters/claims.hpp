@@ -152,9 +152,11 @@ struct Over {
     (*this)(slug, line, std::move(says), parts);
   }
   /// The claim $a=b$, or $a=b=c$, which words may follow: that b, and c, is the truth of the quantity a.
+  /// Throws std::logic_error if a is a formula of the letters with another value than the truth.
   void equation(std::string_view slug, int line, const std::string& text, Stated truth,
                 std::string changes_that_hold = {}) const {
     const auto [quantity, printed] = sides_of_equation(text);
+    require_truth_of(quantity, truth);
     (*this)(slug, line, text, std::move(truth), Stated{printed}, quantity, std::move(changes_that_hold));
   }
   /// Such a claim of which our copy has lost some typography, such as a fraction's bar, and the equation as
@@ -163,9 +165,21 @@ struct Over {
             std::string why) const {
     Parts parts;
     const auto [quantity, printed] = sides_of_equation(text);
+    require_truth_of(quantity, truth);
     parts.quantity = quantity, parts.truth = std::move(truth), parts.printed = Stated{printed};
     parts.meant = Stated{sides_of_equation(meant).second}, parts.why = std::move(why);
     (*this)(slug, line, text, parts);
+  }
+
+ private:
+  void require_truth_of(const std::string& quantity, const Formula<Sample>& truth) const {
+    if constexpr (Typeset<Sample>) {
+      const std::string_view formula = std::string_view(quantity).substr(1, quantity.size() - 2);
+      if (samples.empty() || !typeset_value(formula, typeset_of(samples[0]))) return;
+      const Check check = compare(quantity, computed(Formula<Sample>{quantity}), computed(truth), samples);
+      if (!check.holds())
+        throw std::logic_error(quantity + " has another value than '" + truth.text + "', at " + check.where);
+    }
   }
 };
 

@@ -442,13 +442,15 @@ void solutions(Claims& claims, std::vector<Polynomial> polynomials, double seed)
 
 void oscillations(Tables& tables) {
   const auto claim = tables.motion.over(tables.motions);
-  claim.equation("derivative", 1487,
-                 R"($\dot x=e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
-                 R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)",
-                 {R"($x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$ by dual numbers)", [](const auto& s) {
-                    const auto [x1, x2] = s.solution(s.t);
-                    return values(x1.slope, x2.slope);
-                  }});
+  const std::string rate = R"(e^{\alpha t}(-\beta K_1\sin\beta t+\beta K_2\cos\beta t))"
+                           R"(+\alpha e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$)";
+  claim("derivative", 1487, R"($\dot x=)" + rate,
+        {R"($x=e^{\alpha t}(K_1\cos\beta t+K_2\sin\beta t)$ by dual numbers)",
+         [](const auto& s) {
+           const auto [x1, x2] = s.solution(s.t);
+           return values(x1.slope, x2.slope);
+         }},
+        "$" + rate);
   claim("start_values", 1489, R"($x(0)=p$ and $\dot x(0)=v$ lead to $p=K_1$, $v=\beta K_2+\alpha K_1$)",
         {"$x$ by dual numbers",
          []<class T>(const MotionOf<T>& s) {

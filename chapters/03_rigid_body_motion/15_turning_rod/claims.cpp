@@ -192,8 +192,9 @@ void geometry(Table& table, const Samples& samples) {
         R"(along $(0,1,1)/\sqrt2$))",
         {rodrigues, [](const auto& s) { return direction(s.pi() / 2); }}, R"($(0,1,1)/\sqrt2$)",
         "the direction after a quarter turn");
-  claim.equation("direction", 1747, R"($D(t)=(\cos\omega t,\sin\omega t,1)/\sqrt2$)",
-                 {rodrigues, [](const auto& s) { return direction(s.w * s.t); }});
+  claim("direction", 1747, R"($D(t)=(\cos\omega t,\sin\omega t,1)/\sqrt2$)",
+        {rodrigues, [](const auto& s) { return direction(s.w * s.t); }},
+        R"($(\cos\omega t,\sin\omega t,1)/\sqrt2$)");
   claim("lambda_start", 1755, R"($\lambda(0)=bL/a$ puts the mass at $x(0)=(b,0,b)$)",
         {R"($\lambda(0)D(0)$ with $L=|(a,0,a)|$ and $D$ by Rodrigues' rotation)",
          [](const auto& s) { return position(s.b * length(s.segment()) / s.a, s.number(0), s.w); }},
