@@ -326,9 +326,11 @@ struct InView {
   std::string text;  ///< "for $n\ge2$"
   std::function<bool(const Sample&)> is;
 
+  /// Throws std::logic_error if there are samples and none is such a case.
   std::vector<Sample> of(const std::vector<Sample>& samples) const {
     std::vector<Sample> seen;
     std::ranges::copy_if(samples, std::back_inserter(seen), is);
+    if (seen.empty() && !samples.empty()) throw std::logic_error("no sample is a case '" + text + "'");
     return seen;
   }
 };

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -130,15 +131,19 @@ auto typeset_of(const Sample& sample) {
   }
 }
 
-/// A sample drawn by its table(), or by its constructor.
+/// A sample drawn by its table(), or by its constructor. Throws std::logic_error for a letter without a
+/// range.
 template <class Sample>
 Sample drawn(Random& random) {
   if constexpr (std::constructible_from<Sample, Random&>) {
     return Sample(random);
   } else {
     Sample sample{};
-    for (const auto& letter : sample.table())
+    for (const auto& letter : sample.table()) {
+      if (!(letter.from.low < letter.from.high))
+        throw std::logic_error(std::string(letter.name) + " has no range to be drawn from");
       for (std::size_t i = 0; i < letter.count; ++i) letter.first[i] = letter.from.draw(random);
+    }
     return sample;
   }
 }
