@@ -18,8 +18,11 @@ void add(std::string_view name, std::vector<std::string_view>& added, std::strin
   if (std::ranges::find(added, name) != added.end()) return;
   added.push_back(name);
   const auto files = embedded_proofs();
-  const auto file = std::ranges::find(files, name, [](const EmbeddedFile& f) { return stem(f.path); });
+  const auto has_name = [&](const EmbeddedFile& f) { return stem(f.path) == name; };
+  const auto file = std::ranges::find_if(files, has_name);
   if (file == files.end()) throw std::logic_error("there is no file " + std::string(name) + ".v");
+  if (std::ranges::count_if(files, has_name) > 1)
+    throw std::logic_error("there are several files " + std::string(name) + ".v");
   std::string_view text = file->text;
   if (const std::size_t head = text.find(coq_head); head != text.npos)
     text.remove_prefix(head + coq_head.size());
@@ -27,8 +30,9 @@ void add(std::string_view name, std::vector<std::string_view>& added, std::strin
     throw std::logic_error(std::string(file->path) + " does not begin with coq_head");
   constexpr std::string_view load = "Load \"";
   while (text.starts_with(load)) {
-    add(stem(text.substr(load.size(), text.find('\n') - load.size())), added, all);
-    text.remove_prefix(text.find('\n') + 1);
+    const std::string_view line = text.substr(0, text.find('\n'));
+    add(stem(line.substr(load.size())), added, all);
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
   }
   all += text;
 }
