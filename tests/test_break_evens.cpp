@@ -218,3 +218,15 @@ TEST_CASE("a fixed tip is judged by its own motion, not by an algorithm's", "[ch
   else
     check_intervals({"fixed tip", "lambda", "rad/s", {0.5, 14}, {}}, fixed_tip, degree);
 }
+
+TEST_CASE("a recipe is the simplest model at the cost of the one that choose takes", "[cheapest]") {
+  const CheapestModel& swing = cheapest_models_of({3, 5}).recipe;
+  REQUIRE(swing.least);
+  CHECK(swing.least->model == "amplitude-corrected");  // Jacobi's functions cost an evaluation, too
+  CHECK(amplitude_corrected(30 * degree) <= degree / swing.need.margin());
+  CHECK(swing.need.margin() == 3);
+  const CheapestModel& top = cheapest_models_of({3, 33}).recipe;
+  REQUIRE(top.least);
+  CHECK(top.least->model == "one angle, precession by quadrature");
+  CHECK(top.least->algorithm == "Runge-Kutta 4");  // without the start of a multistep method
+}

@@ -21,6 +21,7 @@
 #include "report/site/play_link.hpp"
 #include "report/study/candidate.hpp"
 #include "report/study/findings.hpp"
+#include "report/study/picker.hpp"
 #include "report/study/sibling_program.hpp"
 #include "report/text/markup.hpp"
 #include "solvers/ode/catalog.hpp"
@@ -319,7 +320,13 @@ std::string matrix(const Results& results) {
 
 // ---- a scene's recipe -------------------------------------------------------------------------------------
 
-std::string answer(const CheapestModel& game, const CheapestModels& models, std::string_view time_unit) {
+bool is_simple(const CheapestModel& game, const Scene& scene) {
+  Need need = game.need;
+  need.objective = Objective::simple;
+  return Picker(need, scene).meets_objective(*game.least);
+}
+
+std::string answer(const CheapestModel& game, const CheapestModels& models, const Scene& scene) {
   const Candidate& least = *game.least;
   std::string errors;
   for (std::size_t i = 0; i < least.errors.size() && i < models.units.size(); ++i)
@@ -335,13 +342,15 @@ std::string answer(const CheapestModel& game, const CheapestModels& models, std:
          element(
              "p", "",
              "Within " + allowed_text(models.units) + " at every frame over " +
-                 shown_span(game.need, time_unit) + ": " +
+                 shown_span(game.need, scene.axes.time) + ": " +
                  format_significant(least.evaluations_per_frame, 3) +
                  (least.evaluations_per_frame == 1 ? " evaluation" : " evaluations") + " per frame, off by " +
-                 errors +
-                 " at most. It is the answer of <code>oddity choose</code> if each evaluation costs the same: "
-                 "the least of the closed forms and one-step methods of fixed step that hold with a margin "
-                 "of three. <a class=\"screen\" href=\"recipes.html\">All scenes</a>");
+                 errors + " at most. <code>oddity choose</code> takes it if each evaluation costs the same" +
+                 (is_simple(game, scene)
+                      ? ". It is the simplest model at this cost. Only closed forms and one-step methods of fixed step "
+                        "count, with a margin of three."
+                      : ". No closed form or one-step method of fixed step holds with a margin of three.") +
+                 " <a class=\"screen\" href=\"recipes.html\">All scenes</a>");
 }
 
 /// Third-party engines at a step per frame with their defaults.
@@ -415,7 +424,7 @@ std::string recipe_section(const ExerciseResult& e, std::span<const EngineContes
   for (const EngineContest& contest : contests)
     if (contest.scene == to_string(e.number)) engines += engines_of(contest);
   return "<section id=\"recipe\" class=\"recipe\">\n<h2>What to use</h2>\n" +
-         answer(*game, *e.cheapest_models, entry_of(e.number)->exercise.scene->axes.time) + engines +
+         answer(*game, *e.cheapest_models, *entry_of(e.number)->exercise.scene) + engines +
          code_text(e, *game) + "</section>\n";
 }
 

@@ -14,6 +14,7 @@
 #include "report/study/candidate.hpp"
 #include "report/study/choose.hpp"
 #include "report/study/parallel.hpp"
+#include "report/study/picker.hpp"
 #include "solvers/ode/catalog.hpp"
 
 namespace oddity {
@@ -386,9 +387,25 @@ std::string truest_model(const Quantity& motion, const Solvers& solvers) {
   return truest;
 }
 
-CheapestModel recipe(const Task& task, const std::string& says, Need need, const Reference& truth) {
+/// The simplest model that costs the same as the chosen one and is chosen if it is alone. `models` are from
+/// the simplest to the richest.
+CheapestModel recipe(const Task& task, const std::vector<std::string>& models, const std::string& says,
+                     Need need, const Reference& truth) {
   need.objective = Objective::simple;
-  return {says, need, choose(task, need, truth, counted_price).chosen};
+  const Choice choice = choose(task, need, truth, counted_price);
+  CheapestModel recipe{says, need, choice.chosen};
+  for (const std::string& model : models) {
+    if (!choice.chosen || model == choice.chosen->model) break;
+    if (std::ranges::find(choice.ties, model, &Candidate::model) == choice.ties.end()) continue;
+    need.takes = [&](const std::string& other, const std::string&) { return other == model; };
+    const Choice alone = choose(task, need, truth, counted_price);
+    if (alone.chosen && alone.by_objective == choice.by_objective &&
+        have_same_cost(*alone.chosen, *choice.chosen)) {
+      recipe.least = alone.chosen;
+      break;
+    }
+  }
+  return recipe;
 }
 
 /// Evaluations of all trials.
@@ -413,7 +430,7 @@ std::optional<CheapestModels> cheapest_models(const Task& task, const Reference&
   const Solvers solvers = solvers_of(motion);
   const Along along(task, game, truth, truest_model(motion, solvers), solvers);
   const std::string says = game_in_words(motion);
-  cheapest_models.recipe = recipe(task, says, game, truth);
+  cheapest_models.recipe = recipe(task, models_of(motion), says, game, truth);
   cheapest_models.least.push_back(cheapest_model(start, *task.entry->exercise.scene, says, game));
   cheapest_models.least.push_back(cheapest_model(start, *task.entry->exercise.scene, "10 digits", digits));
   for (const std::string& model : models_of(motion)) {

@@ -179,7 +179,7 @@ struct CheapestModels {
   std::vector<CheapestModel> least;  ///< over 10 s at 60 frames per second: for a game, and for 10 digits
   std::vector<BreakEven> break_evens;
   std::vector<std::string> never;  ///< models that are not enough for a game at any value searched
-  CheapestModel recipe = {};       ///< the answer of `choose` for a game if each evaluation costs the same
+  CheapestModel recipe = {};       ///< for a game: by `choose`, each evaluation at the same cost
 };
 
 /// Bounds of a limit.
