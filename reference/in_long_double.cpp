@@ -5,6 +5,8 @@
 #include <exception>
 #include <memory>
 #include <new>
+#include <string>
+#include <type_traits>
 
 #include "reference/make/aside.hpp"
 #include "reference/make/motions.hpp"
@@ -13,6 +15,9 @@
 namespace oddity {
 
 namespace {
+
+constexpr bool is_double = std::is_same_v<truth::Number, double>;
+constexpr int asked_digits = is_double ? digits_in_double : digits_in_long_double;
 
 /// An exception of the tick, as opposed to one of the routes.
 struct Ended {
@@ -54,7 +59,7 @@ truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<dou
   std::vector<std::unique_ptr<truth::Aside<truth::Numbers>>> repeats;
   for (const int more : {-4, -3, -2, -1, 1, 2})
     repeats.push_back(std::make_unique<truth::Aside<truth::Numbers>>(tick, [&, more](const auto& until_over) {
-      return by_first_route(table, inputs, times, digits_in_long_double + more, until_over);
+      return by_first_route(table, inputs, times, asked_digits + more, until_over);
     }));
   truth::Numbers error_until(times.size(), 0);
   for (const auto& repeat : repeats) {
@@ -71,7 +76,7 @@ truth::Numbers error_by_repeats(const truth::Truth& table, const std::vector<dou
 
 /// Lowers the bounds for times at which both routes still agree on the motion.
 void bound_by_repeats(truth::Made& made, const truth::Numbers& error_until) {
-  const truth::Number one_motion = 1e-2L * truth::size_of(made.value);
+  const truth::Number one_motion = truth::size_of(made.value) / 100;
   for (std::size_t k = 0; k < error_until.size(); ++k)
     if (made.error_until[k] <= one_motion)
       made.error_until[k] = std::min(made.error_until[k], error_until[k]);
@@ -80,7 +85,8 @@ void bound_by_repeats(truth::Made& made, const truth::Numbers& error_until) {
 
 Known known(const truth::Truth& table, const truth::Made& made) {
   Known all;
-  all.source = "computed on the spot in long double: " + table.first_route + "; and " + table.second_route;
+  all.source = "computed on the spot in " + std::string(is_double ? "double: " : "long double: ") +
+               table.first_route + "; and " + table.second_route;
   const std::size_t parts = made.value.size() / made.error_until.size();
   double rounded_by = 0;
   for (const truth::Number& x : made.value) {
@@ -97,9 +103,10 @@ Known known(const truth::Truth& table, const truth::Made& made) {
 
 }  // namespace
 
-std::optional<Known> motion_in_long_double(std::string_view table, const std::vector<double>& inputs_but_time,
-                                           std::span<const double> times, std::size_t compared,
-                                           const std::function<void(double)>& tick, BoundedBy bound) {
+/// Compiled twice, each time under the name of its numbers.
+std::optional<Known> motion_in_number(std::string_view table, const std::vector<double>& inputs_but_time,
+                                      std::span<const double> times, std::size_t compared,
+                                      const std::function<void(double)>& tick, BoundedBy bound) {
   const auto& all = truth::registry();
   const auto found = std::ranges::find(all, table, &truth::Entry::name);
   if (found == all.end() || times.empty()) return {};
@@ -107,8 +114,7 @@ std::optional<Known> motion_in_long_double(std::string_view table, const std::ve
   try {
     const std::vector<double> at(times.begin(), times.end());
     const truth::Tick watch = watched(tick);
-    truth::Made made =
-        truth::make_motion(made_by, inputs_but_time, at, digits_in_long_double, compared, watch);
+    truth::Made made = truth::make_motion(made_by, inputs_but_time, at, asked_digits, compared, watch);
     if (bound == BoundedBy::repeats)
       bound_by_repeats(made, error_by_repeats(made_by, inputs_but_time, at, watch, made.value));
     return known(made_by, made);

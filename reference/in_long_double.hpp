@@ -8,11 +8,12 @@
 
 #include "reference/reference.hpp"
 
-/// Motions by the two routes of their tables in long double, some hundred times as fast as with 60 digits.
+/// Motions by the two routes of their tables in long double, some hundred times as fast as with 60 digits,
+/// and in double, another five times as fast.
 namespace oddity {
 
 /// Digits requested from both routes.
-constexpr int digits_in_long_double = 14;
+constexpr int digits_in_long_double = 14, digits_in_double = 8;
 
 /// Source of a motion's error bound.
 enum class BoundedBy {
@@ -26,5 +27,9 @@ std::optional<Known> motion_in_long_double(std::string_view table, const std::ve
                                            std::span<const double> times, std::size_t compared,
                                            const std::function<void(double)>& tick,
                                            BoundedBy = BoundedBy::routes);
+/// The same in double.
+std::optional<Known> motion_in_double(std::string_view table, const std::vector<double>& inputs_but_time,
+                                      std::span<const double> times, std::size_t compared,
+                                      const std::function<void(double)>& tick, BoundedBy = BoundedBy::routes);
 
 }  // namespace oddity

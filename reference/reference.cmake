@@ -27,7 +27,7 @@ compile_headers_once(oddity_reference reference/make/routes.hpp reference/make/t
 compile_files_together(oddity_reference GROUP)
 group_by_name(generators 4 ${route_files} ${truth_files})
 
-# The generators of motions, whose last input is the time, also in long double, under another name. Excludes
+# The generators of motions, whose last input is the time, also in long double and in double, under other names. Excludes
 # the growth of small differences, which needs more digits.
 set(motion_files "")
 foreach(file IN LISTS truth_files own_truths)
@@ -36,18 +36,22 @@ foreach(file IN LISTS truth_files own_truths)
     list(APPEND motion_files ${file})
   endif()
 endforeach()
-register_truths(${PROJECT_BINARY_DIR}/motions_in_long_double.cpp ${motion_files})
+register_truths(${PROJECT_BINARY_DIR}/motions.cpp ${motion_files})
 set(shared_by_generators ${own_generators})
 if(own_truths)
   list(REMOVE_ITEM shared_by_generators ${own_truths})
 endif()
-add_library(oddity_in_long_double OBJECT ${motion_files} ${shared_by_generators} ${route_files} reference/truth.cpp
-  reference/in_long_double.cpp ${PROJECT_BINARY_DIR}/motions_in_long_double.cpp)
-target_compile_definitions(oddity_in_long_double PRIVATE ODDITY_LONG_DOUBLE truth=truth_in_long_double)
-target_link_libraries(oddity_in_long_double PRIVATE oddity_options Boost::headers)
-compile_headers_once(oddity_in_long_double reference/make/routes.hpp reference/make/taylor.hpp)
-compile_files_together(oddity_in_long_double GROUP)
-target_sources(oddity_reference PRIVATE $<TARGET_OBJECTS:oddity_in_long_double>)
+foreach(number IN ITEMS long_double double)
+  string(REPLACE "_" " " type ${number})
+  add_library(oddity_in_${number} OBJECT ${motion_files} ${shared_by_generators} ${route_files} reference/truth.cpp
+    reference/in_long_double.cpp ${PROJECT_BINARY_DIR}/motions.cpp)
+  target_compile_definitions(oddity_in_${number} PRIVATE
+    "ODDITY_NUMBER=${type}" truth=truth_in_${number} motion_in_number=motion_in_${number})
+  target_link_libraries(oddity_in_${number} PRIVATE oddity_options Boost::headers)
+  compile_headers_once(oddity_in_${number} reference/make/routes.hpp reference/make/taylor.hpp)
+  compile_files_together(oddity_in_${number} GROUP)
+  target_sources(oddity_reference PRIVATE $<TARGET_OBJECTS:oddity_in_${number}>)
+endforeach()
 
 add_executable(make_reference reference/make/main.cpp)
 target_link_libraries(make_reference PRIVATE oddity_reference)

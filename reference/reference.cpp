@@ -366,6 +366,8 @@ Known Reference::motion(std::string_view name, const std::vector<double>& inputs
 Known Reference::made_motion(std::string_view name, const std::vector<double>& inputs,
                              std::span<const double> times) const {
   const truth::Truth truth = generator_of(name)->make();
+  if (digits_ <= digits_in_double)
+    if (auto known = motion_in_double(name, inputs, times, compared_times, tick_)) return *known;
   if (digits_ <= digits_in_long_double)
     if (auto known = motion_in_long_double(name, inputs, times, compared_times, tick_,
                                            repeats_ ? BoundedBy::repeats : BoundedBy::routes))

@@ -1,6 +1,6 @@
 #pragma once
 
-#if defined(ODDITY_LONG_DOUBLE)
+#if defined(ODDITY_NUMBER)
 #include <cmath>
 #include <limits>
 #elif defined(ODDITY_BALLS)
@@ -18,12 +18,13 @@
 /// Generators of the reference tables. A file of reference/make makes the table of the same name.
 ///
 /// The generators are compiled with 60 digits; in balls if Arb is installed
-/// (reference/enclosures/enclose.hpp); and those of motions in long double (reference/in_long_double.hpp).
+/// (reference/enclosures/enclose.hpp); and those of motions in long double and in double
+/// (reference/in_long_double.hpp).
 /// Each version has its own name for `truth`.
 namespace oddity::truth {
 
-#if defined(ODDITY_LONG_DOUBLE)
-using Number = long double;
+#if defined(ODDITY_NUMBER)
+using Number = ODDITY_NUMBER;
 constexpr unsigned working_digits = std::numeric_limits<Number>::digits10;
 using std::abs, std::acos, std::asin, std::atan2, std::ceil, std::cos, std::cosh, std::exp, std::isfinite,
     std::fmin, std::ldexp, std::log, std::log10, std::pow, std::round, std::sin, std::sinh, std::sqrt;

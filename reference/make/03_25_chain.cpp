@@ -24,7 +24,7 @@ Numbers by_tensions(const std::vector<double>& in, Precision asked) {
   const ChainTensions rhs{start.chain};
   const Precision digits = digits_at(in[14], asked);
   return rhs.positions(kept.at(
-      in[14], motion_of(in, digits), [&] { return rhs.start(start.theta, start.omega); },
+      in[14], digits, motion_of(in, digits), [&] { return rhs.start(start.theta, start.omega); },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
         return solve_taylor(rhs, x, t0, t1, digits + 4);
       }));
@@ -42,7 +42,7 @@ Numbers by_angles(const std::vector<double>& in, Precision asked) {
   const ChainAngles rhs{start.chain};
   const Precision digits = digits_at(in[14], asked);
   return rhs.positions(kept.at(
-      in[14], motion_of(in, digits), [&] { return start.angles(); },
+      in[14], digits, motion_of(in, digits), [&] { return start.angles(); },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
         return solve_extrapolation(rhs, x, t0, t1, digits + 4);
       }));

@@ -20,7 +20,7 @@ Numbers rate(Checkpoints& kept, const Rhs& rhs, const std::vector<double>& in, i
     std::vector<double> motion = motion_of(in, digits);
     motion.push_back(side);
     return rhs.positions(kept.at(
-        t, motion, [&] { return start(Number(side * apart)); }, advance));
+        t, digits, motion, [&] { return start(Number(side * apart)); }, advance));
   };
   const Numbers above = end(1), below = end(-1);
   Number largest = 0;

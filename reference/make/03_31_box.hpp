@@ -107,7 +107,8 @@ Numbers until(const Number& t, const Rhs& rhs, const Numbers& start, std::size_t
     return kept.state(
         k, motion, [&] { return start; },
         [&](const Numbers& x, std::size_t i) {
-          return solve_extrapolation(rhs, x, Number((i - 1) * piece), Number(i * piece), digits);
+          return solve_extrapolation(rhs, x, Number(static_cast<double>(i - 1) * piece),
+                                     Number(static_cast<double>(i) * piece), digits);
         });
   };
   Numbers x = start;

@@ -49,7 +49,7 @@ inline Numbers axis_by_momentum(const std::vector<double>& in, Precision digits)
   };
   static Checkpoints kept;
   const Numbers end = kept.at(
-      in[13], motion_of(in, digits), [&] { return start; },
+      in[13], digits, motion_of(in, digits), [&] { return start; },
       [&](const Numbers& x, const Number& t0, const Number& t1) {
         return solve_taylor(rhs, x, t0, t1, digits + 4);
       });
@@ -79,7 +79,7 @@ inline Numbers axis_by_quaternion(const std::vector<double>& in, Precision digit
   };
   static Checkpoints kept;
   const Numbers x = kept.at(
-      in[13], motion_of(in, digits), [&] { return start; },
+      in[13], digits, motion_of(in, digits), [&] { return start; },
       [&](const Numbers& y, const Number& t0, const Number& t1) {
         return solve_extrapolation(rhs, y, t0, t1, digits + 4);
       });

@@ -13,7 +13,7 @@ namespace oddity::truth {
 /// Frees this thread's caches of constants such as pi when it ends.
 struct Caches {
   ~Caches() {
-#if !defined(ODDITY_LONG_DOUBLE) && !defined(ODDITY_BALLS)
+#if !defined(ODDITY_NUMBER) && !defined(ODDITY_BALLS)
     mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE);
 #endif
   }

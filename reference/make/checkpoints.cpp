@@ -30,8 +30,9 @@ Numbers Checkpoints::state(std::size_t k, const std::vector<double>& motion,
 }
 
 Numbers Checkpoints::at(
-    double t, const std::vector<double>& motion, const std::function<Numbers()>& start,
+    double t, Precision precision, const std::vector<double>& motion, const std::function<Numbers()>& start,
     const std::function<Numbers(const Numbers& x, const Number& t0, const Number& t1)>& advance) {
+  if (precision.kept) return advance(start(), 0, Number(t));
   const double whole = std::floor(t);
   const Numbers x =
       state(static_cast<std::size_t>(whole), motion, start,

@@ -20,8 +20,9 @@ class Checkpoints {
   Numbers state(std::size_t k, const std::vector<double>& motion, const std::function<Numbers()>& start,
                 const std::function<Numbers(const Numbers& x, std::size_t k)>& next);
 
-  /// The state at t >= 0, via the states at whole seconds.
-  Numbers at(double t, const std::vector<double>& motion, const std::function<Numbers()>& start,
+  /// The state at t >= 0: by the path of the request if it keeps one, otherwise via the states at whole
+  /// seconds.
+  Numbers at(double t, Precision, const std::vector<double>& motion, const std::function<Numbers()>& start,
              const std::function<Numbers(const Numbers& x, const Number& t0, const Number& t1)>& advance);
 
  private:

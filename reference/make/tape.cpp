@@ -18,7 +18,7 @@ int sine_node(Jet a) {
   return sine;
 }
 
-#if defined(ODDITY_LONG_DOUBLE)
+#if defined(ODDITY_NUMBER)
 Number convolution(const Numbers& a, const Numbers& b, int k, int from, int to) {
   Number sum = 0;
   for (int j = from; j <= to; ++j) sum += a[static_cast<std::size_t>(j)] * b[static_cast<std::size_t>(k - j)];

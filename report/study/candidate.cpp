@@ -62,7 +62,6 @@ Judged judge_at(const Start& start, const Candidate& c, const Need& need) {
 /// Whether a better reference would not change the outcome. Passing is certain only on a whole motion. So is
 /// the margin, unless the reference is known very well anyway.
 bool is_decided(double error, double known_to, bool on_whole, const Need& need) {
-  constexpr double very_well = 1e-3;
   if (error - known_to > 1) return true;
   return on_whole && error + known_to <= 1 &&
          (known_to <= very_well || std::abs(error - 1 / need.margin()) > known_to);

@@ -172,28 +172,48 @@ Start InitialConditions::well_known(const Parameters& p) const {
   return to_judge({says(p), known_motion(scene(), p, horizon_of(need_), need_, truth_)}, p);
 }
 
-/// More digits can decide only for a path: for conserved or bounded quantities the truth shows nothing. A
-/// motion that is lost in its first part is computed further only if some method passes up to there.
+/// The start with the first frames of its motion, or all.
+Start InitialConditions::known_by(const Parameters& p, const Reference& truth, int frames) const {
+  const bool is_whole = frames == static_cast<int>(need_.frames());
+  const Horizon span = is_whole ? horizon_of(need_) : oddity::first_frames(need_, frames);
+  Start start =
+      to_judge({says(p), with_need(motion_at_frames(scene(), p, span, truth, need_.kicks), need_)}, p);
+  start.is_whole = is_whole;
+  return start;
+}
+
+/// Over a long horizon in double, unless roundings grow too much.
 Start InitialConditions::start(const Parameters& p) const {
   if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
-  const int whole = static_cast<int>(need_.frames());
-  const auto known_by = [this, p, whole](const Reference& truth, int frames_of_it) {
-    const bool is_whole = frames_of_it == whole;
-    const Horizon span = is_whole ? horizon_of(need_) : oddity::first_frames(need_, frames_of_it);
-    Start start =
-        to_judge({says(p), with_need(motion_at_frames(scene(), p, span, truth, need_.kicks), need_)}, p);
-    start.is_whole = is_whole;
+  const std::vector<int> parts = parts_of(need_);
+  if (parts.size() == 1 || std::ranges::any_of(criteria_of(need_), [](Criterion criterion) {
+        return criterion != Criterion::path;
+      }))
+    return start_in_long_double(p);
+  for (const int count : parts) {
+    Start start = known_by(p, truth_.to_digits(digits_in_double), count);
+    if (start.motion.reference_error > very_well * start.motion.need.allowed) break;
+    if (!start.is_whole) continue;
+    if (!is_known_well(start.motion))
+      start.sharper = std::make_shared<Lazy<Start>>([this, p] { return start_in_long_double(p); });
     return start;
-  };
+  }
+  return start_in_long_double(p);
+}
+
+/// More digits can decide only for a path: for conserved or bounded quantities the truth shows nothing. A
+/// motion that is lost in its first part is computed further only if some method passes up to there.
+Start InitialConditions::start_in_long_double(const Parameters& p) const {
+  const int whole = static_cast<int>(need_.frames());
   const std::vector<int> parts = parts_of(need_);
   int count = parts.front();
-  Start start = known_by(truth_.to_digits(digits_in_long_double), count);
+  Start start = known_by(p, truth_.to_digits(digits_in_long_double), count);
   for (std::size_t i = 1; i < parts.size() && !is_lost(start.motion); ++i)
-    start = known_by(truth_.to_digits(digits_in_long_double), count = parts[i]);
+    start = known_by(p, truth_.to_digits(digits_in_long_double), count = parts[i]);
   if (need_.criterion != Criterion::path || is_known_well(start.motion)) return start;
   if (is_lost(start.motion)) start = as_long_as_known(start, p);
-  start.sharper = std::make_shared<Lazy<Start>>([this, p, known_by, count, whole] {
-    const Start repeated = known_by(truth_.repeated(), count);
+  start.sharper = std::make_shared<Lazy<Start>>([this, p, count, whole] {
+    const Start repeated = known_by(p, truth_.repeated(), count);
     Start known = as_long_as_known(repeated, p);
     // The motion with more digits, a little beyond the part that long double resolves, where it is not lost
     // yet.

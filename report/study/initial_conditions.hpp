@@ -104,6 +104,9 @@ Need game_need();
 /// The need in each of the motion's units.
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 
+/// Error of a true motion in needs below which only trials close to the need or its margin need a better one.
+constexpr double very_well = 1e-3;
+
 /// Whether the error of the true motion is too far below the needs to decide anything.
 bool is_known_well(const Quantity& motion);
 
@@ -151,6 +154,8 @@ class InitialConditions {
   Start well_known(const Parameters&) const;
   /// The start with the truth that is quickly available, and a way to a better one.
   Start start(const Parameters&) const;
+  Start start_in_long_double(const Parameters&) const;
+  Start known_by(const Parameters&, const Reference&, int frames) const;
   /// The start, up to the time to which its true motion is known well enough.
   Start as_long_as_known(const Start& whole, const Parameters&) const;
   Parting parting(const Parameters&, const Quantity& motion) const;
