@@ -1276,8 +1276,8 @@ TEST_CASE("a setting with far more work than expected is given up until that muc
   };
   const std::vector<Start> starts{{"here", q}};
   Ladder tries(q.methods.back(), need);
-  const auto go_on = [&](double most) {
-    tries.go_on(most, starts, need);
+  const auto go_on = [&](double most, double most_of_all = std::numeric_limits<double>::infinity()) {
+    tries.go_on(most, starts, need, {}, most_of_all);
     REQUIRE(tries.candidates.size() == 1);
     return tries.candidates.back().outcome;
   };
@@ -1287,6 +1287,13 @@ TEST_CASE("a setting with far more work than expected is given up until that muc
   CHECK(tries.expected_evaluations() == 256);
   CHECK(go_on(64) == Outcome::stalled);
   CHECK(tries.expected_evaluations() == 256);
+  CHECK(go_on(1e6, 300) == Outcome::stalled);  // ends, although it is allowed to go on
+  CHECK(tries.expected_evaluations() == 300);
+  CHECK(tries.is_given_up());
+  tries = Ladder(q.methods.back(), need);
+  CHECK(go_on(64) == Outcome::ok);  // 102,400 evaluations
+  tries = Ladder(q.methods.back(), need);
+  CHECK(go_on(16) == Outcome::stalled);
   CHECK(go_on(256) == Outcome::ok);
   CHECK(tries.is_over());
   CHECK_FALSE(tries.is_given_up());
@@ -1467,6 +1474,69 @@ TEST_CASE(
       CHECK(t.seconds_per_frame > 2 * parts.chosen->seconds_per_frame);
   need.thorough = true;
   CHECK(choose_in_parts(need, price_over).candidates.size() == choose_for(need).candidates.size());
+}
+
+TEST_CASE("a method that cost too much over a part is tried again where the choice costs as much",
+          "[choose]") {
+  // "sinking": exact to its setting over the part; over the whole only its finest setting of eight steps is.
+  const auto sinking = [](const Parameters& p, const Horizon& horizon, const Reference& truth) {
+    Quantity q = place(p, horizon, truth);
+    const bool is_whole = horizon.end > 1000;
+    q.add(method(
+        "sinking", "explicit", halving("step", 0.1, 4), p["a"], horizon.count(),
+        [=](double h) { return is_whole && h > 0.013 ? 1 : 1e-9; },
+        [=](double h) { return std::lround(horizon.end / h); }));
+    q.add(method(
+        "steady", "explicit", halving("step", 0.1, 1), p["a"], horizon.count(), [](double) { return 1e-9; },
+        [=](double h) { return std::lround(6 * horizon.end / h); }));
+    return q;
+  };
+  Entry sinks = entry;
+  sinks.exercise.scene->motion = sinking;
+  Need need = asked(1e-3, 2400);
+  need.only = {"sinking", "steady"};
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Choice choice = choose_in_time(Task(sinks), need, truth, [](const Need&) { return counted_cost; });
+  REQUIRE(choice.chosen);
+  CHECK(choice.need.horizon == 2400);
+  CHECK(choice.chosen->model == "steady");  // 6 evaluations a frame, where "sinking" takes 8
+  CHECK(choice.explanation.left == 0);
+}
+
+TEST_CASE("over the whole of a long horizon no setting is tried that could not tie", "[choose]") {
+  static std::mutex telling;
+  static std::map<std::string, double> most;  // evaluations of a trial over the whole
+  most.clear();
+  const auto counted = [](const Parameters& p, const Horizon& horizon, const Reference& truth) {
+    Quantity q = place(p, horizon, truth);
+    q.add(method(
+        "slow to converge", "explicit", halving("step", 0.1, 10), p["a"], horizon.count(),
+        [=](double h) { return horizon.end > 1000 ? h : 1e-9; },
+        [=](double h) { return std::lround(horizon.end / h); }));
+    q.add(method(
+        "flat", "closed form", no_resolution(), p["a"], horizon.count(), [](double) { return 1e-9; },
+        [=](double) { return horizon.count() / 2; }));
+    for (Method& m : q.methods) {
+      const auto run = m.run;
+      m.run = [run, horizon, name = m.model](double setting) {
+        Answer answer = run(setting);
+        const std::lock_guard lock(telling);
+        if (horizon.end > 1000) most[name] = std::max(most[name], static_cast<double>(answer.evaluations));
+        return answer;
+      };
+    }
+    return q;
+  };
+  Entry slow = entry;
+  slow.exercise.scene->motion = counted;
+  Need need = asked(3e-3, 2400);
+  need.only = {"flat", "slow"};
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  const Choice choice = choose_in_time(Task(slow), need, truth, [](const Need&) { return counted_cost; });
+  REQUIRE(choice.chosen);
+  CHECK(choice.chosen->model == "flat");  // half an evaluation a frame
+  CHECK(choice.explanation.left == 1);
+  CHECK(most.at("slow to converge") == 24'000);  // one a frame
 }
 
 TEST_CASE("if the time ends before a long horizon does, the answer covers a part, and reports it",

@@ -19,21 +19,18 @@ using Rhs = std::function<Numbers(const Numbers& x, const Number& t)>;
 /// powers.
 Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, const Number& big, int n) {
   const Number h = big / n;
-  const auto moved = [](const Numbers& x, const Number& by, const Numbers& v) {
-    Numbers sum = x;
-    for (std::size_t i = 0; i < x.size(); ++i) sum[i] += by * v[i];
-    return sum;
+  const auto move = [](Numbers& x, const Number& by, const Numbers& v) {
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += by * v[i];
   };
-  Numbers before = x0;
-  Numbers now = moved(x0, h, rhs(x0, t));
+  Numbers before = x0, now = x0;
+  move(now, h, rhs(x0, t));
   for (int k = 1; k < n; ++k) {
-    Numbers next = moved(before, 2 * h, rhs(now, Number(t + k * h)));
-    before = std::move(now);
-    now = std::move(next);
+    move(before, 2 * h, rhs(now, Number(t + k * h)));
+    swap(before, now);
   }
-  Numbers smoothed = moved(before, h, rhs(now, Number(t + big)));
-  for (std::size_t i = 0; i < now.size(); ++i) smoothed[i] = (smoothed[i] + now[i]) / 2;
-  return smoothed;
+  move(before, h, rhs(now, Number(t + big)));
+  for (std::size_t i = 0; i < now.size(); ++i) before[i] = (before[i] + now[i]) / 2;
+  return before;
 }
 
 /// With many digits a step should settle a few columns before the last. A step that does not settle costs as
@@ -55,26 +52,28 @@ int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number&
                       const Number& tolerance) {
   const Number enough = std::max(tolerance, roundings(x));
   std::vector<Numbers> row;
+  Numbers before;
   for (int k = 1; k <= columns; ++k) {
-    std::vector<Numbers> next{modified_midpoint(rhs, x, t, big, 2 * k)};
+    Numbers best = modified_midpoint(rhs, x, t, big, 2 * k);
     for (int j = 1; j < k; ++j) {
-      const Number ratio = Number(k) / (k - j);
-      const auto& previous = next.back();
-      Numbers better = previous;
-      for (std::size_t i = 0; i < x.size(); ++i)
-        better[i] += (previous[i] - row[static_cast<std::size_t>(j - 1)][i]) / (ratio * ratio - 1);
-      next.push_back(std::move(better));
+      const Number ratio = Number(k) / (k - j), less = ratio * ratio - 1;
+      Numbers& above = row[static_cast<std::size_t>(j - 1)];
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        const Number better = best[i] + (best[i] - above[i]) / less;
+        above[i] = best[i];
+        best[i] = better;
+      }
     }
     if (k > 3) {
       bool settled = true;  // false for a NaN
-      for (std::size_t i = 0; i < x.size(); ++i)
-        settled = settled && abs(next.back()[i] - row.back()[i]) <= enough;
+      for (std::size_t i = 0; i < x.size(); ++i) settled = settled && abs(best[i] - before[i]) <= enough;
       if (settled) {
-        x = next.back();
+        x = std::move(best);
         return k;
       }
     }
-    row = std::move(next);
+    before = best;
+    row.push_back(std::move(best));
   }
   return columns + 1;
 }

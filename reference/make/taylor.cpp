@@ -42,6 +42,7 @@ TaylorProblem::Step TaylorProblem::step(const Numbers& x, const Number& t, const
 Numbers TaylorProblem::Step::at(const Number& t) const {
   const Number h = t - t0;
   Numbers x;
+  x.reserve(series.size());
   for (const Numbers& c : series) {
     Number sum = c.back();
     for (std::size_t k = c.size() - 1; k-- > 0;) sum = sum * h + c[k];

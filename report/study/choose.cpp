@@ -85,7 +85,7 @@ class Recommendation {
     choice.in_float = chosen_in_float(*chosen);
     choice.next_cheaper = next_cheaper(*chosen, picked.by_objective);
     choice.next_richer = cheapest(choice.candidates, [&](const Candidate& t) {
-      return t.holds() && !picker().is_faulted(t) && t.model != chosen->model &&
+      return t.holds() && !picker().is_faulted(t.model) && t.model != chosen->model &&
              t.seconds_per_frame > chosen->seconds_per_frame && !have_same_cost(t, *chosen);
     });
     return choice;
@@ -105,10 +105,11 @@ class Recommendation {
   /// The nearest miss when nothing meets the need: the smallest error within the budget, but first a method
   /// that passes and costs too much. Leaves out models that their page shows to be wrong.
   std::optional<Candidate> miss(std::vector<Candidate>& candidates) const {
-    auto all = candidates | std::views::filter([&](const Candidate& t) { return !picker().is_faulted(t); });
+    auto all =
+        candidates | std::views::filter([&](const Candidate& t) { return !picker().is_faulted(t.model); });
     if (all.empty() || starts().seen().empty()) return {};
-    if (auto held =
-            cheapest(candidates, [&](const Candidate& t) { return t.holds() && !picker().is_faulted(t); }))
+    if (auto held = cheapest(candidates,
+                             [&](const Candidate& t) { return t.holds() && !picker().is_faulted(t.model); }))
       return held;
     const std::span hardest(in_order(starts().seen(), search_.hardest_starts()).front(), 1);
     std::set<const Candidate*> been_on_hardest, been_on_all;
@@ -208,7 +209,7 @@ class Recommendation {
   std::vector<Candidate> maybe_holding_on_asked() const {
     std::vector<Candidate> held;
     for (const Candidate& t : search_.all_tried())
-      if (t.where != starts().asked().says && !picker().is_faulted(t)) held.push_back(t);
+      if (t.where != starts().asked().says && !picker().is_faulted(t.model)) held.push_back(t);
     std::ranges::stable_sort(held, {}, &Candidate::evaluations_per_frame);
     return held;
   }
@@ -321,28 +322,20 @@ bool a_part_decides(const Need& need) {
   });
 }
 
-/// Methods that cost far more over a part of the horizon than the choice there.
-struct Costly {
-  decltype(PartJudged::too_costly) methods = {};
-  double least = std::numeric_limits<double>::infinity();  ///< s per frame, of the cheapest
-
-  void add(const Choice& choice) {
-    if (!choice.chosen || !choice.by_objective || choice.need.thorough) return;
-    const double most = choice.chosen->seconds_per_frame + choice.chosen->spread;
-    for (const Candidate& t : choice.candidates)
-      if (const double cost = t.seconds_per_frame - t.spread;
-          cost > policy.far_costlier * most &&
-          t.evaluations_per_frame >= choice.chosen->evaluations_per_frame) {
-        methods.emplace(t.model, t.algorithm);
-        least = std::min(least, cost);
-      }
-  }
-  /// Whether none of them would be chosen over a longer part, where each costs as much or more.
-  bool allow(const Choice& choice) const {
-    return methods.empty() || (choice.chosen && choice.by_objective &&
-                               choice.chosen->seconds_per_frame * policy.noisy_tie <= least);
-  }
-};
+/// Costs over a part, which limit the work over a longer one; those over the part before it for methods that
+/// were left out. Empty if nothing was chosen by the objective.
+std::optional<PartCosts> costs_of(const Choice& choice, const std::optional<PartCosts>& before) {
+  if (!choice.chosen || !choice.by_objective || choice.need.thorough) return {};
+  const auto cost = [](const Candidate& t, double spread) {
+    return PartCosts::Cost{t.seconds_per_frame + spread, t.seconds_per_frame / t.evaluations_per_frame};
+  };
+  const Candidate& chosen = *choice.chosen;
+  PartCosts costs{{chosen.model, chosen.algorithm}, cost(chosen, chosen.spread)};
+  for (const Candidate& t : choice.candidates)
+    costs.all.emplace(PartCosts::Which{t.model, t.algorithm}, cost(t, -t.spread));
+  if (before) costs.all.insert(before->all.begin(), before->all.end());
+  return costs;
+}
 
 /// The need over ever longer parts of its horizon; the last is the whole.
 std::vector<Need> ever_longer(const Need& need) {
@@ -367,7 +360,8 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
   double spent = 0;
   std::optional<Choice> over_part;
   std::shared_ptr<const Failures> failed;
-  Costly costly;
+  std::optional<PartCosts> costs;
+  bool was_known = false;
   for (Need& over : ever_longer(need)) {
     const bool is_whole = over.horizon == need.horizon;
     std::shared_ptr<PartJudged> part;
@@ -375,21 +369,13 @@ Choice choose_in_time(const Task& task, const Need& need, const Reference& truth
       part =
           std::make_shared<PartJudged>(PartJudged{"the first " + format_significant(over.horizon, 4) + " " +
                                                       std::string(task.entry->exercise.scene->axes.time),
-                                                  failed, std::make_shared<Failures>(), costly.methods});
-    const auto choose_over = [&] {
+                                                  failed, std::make_shared<Failures>(), costs, was_known});
+    try {
       const Stopwatch watch(spent);
       over.time_limit = need.time_limit - spent;
-      return choose(task, over, truth, price_over(over), progress, part);
-    };
-    try {
-      Choice choice = choose_over();
-      if (part && !costly.allow(choice)) {
-        costly = {};
-        part->too_costly.clear();
-        choice = choose_over();
-      }
-      costly.add(choice);
-      over_part = std::move(choice);
+      over_part = choose(task, over, truth, price_over(over), progress, part);
+      costs = costs_of(*over_part, costs);
+      was_known = !over_part->explanation.truth_until;
     } catch (const OutOfTime&) {
       if (!over_part) throw;
       break;

@@ -191,6 +191,7 @@ Start InitialConditions::start(const Parameters& p) const {
       }))
     return start_in_long_double(p);
   for (const int count : parts) {
+    if (part_ && part_->was_known && count != parts.back()) continue;
     Start start = known_by(p, truth_.to_digits(digits_in_double), count);
     if (start.motion.reference_error > very_well * start.motion.need.allowed) break;
     if (!start.is_whole) continue;

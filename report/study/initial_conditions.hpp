@@ -5,7 +5,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -72,14 +71,24 @@ class Failures {
   mutable std::mutex mutex_;
 };
 
+/// Costs over a part of a motion.
+struct PartCosts {
+  using Which = std::pair<std::string, std::string>;  ///< model and algorithm
+  struct Cost {
+    double per_frame, per_evaluation;  ///< s
+  };
+  Which chosen;
+  Cost of_chosen;
+  std::map<Which, Cost> all = {};
+};
+
 /// State of judging a motion in parts.
 struct PartJudged {
   std::string says;                        ///< the part judged here: "the first 56.25 s"
   std::shared_ptr<const Failures> before;  ///< over a shorter part; null: none was judged
   std::shared_ptr<Failures> here;          ///< over this part, for a longer one
-  /// Model and algorithm of the methods that cost far more over a shorter part than the one chosen there.
-  /// They are not tried over a longer one, where each needs as fine a setting or a finer one.
-  std::set<std::pair<std::string, std::string>> too_costly = {};
+  std::optional<PartCosts> costs = {};     ///< over a shorter part; empty: nothing was chosen there
+  bool was_known = false;                  ///< the motion over a shorter part, to its end
 };
 
 /// One start of a scene: its true motion at every frame, and every method, with the request as the need.

@@ -75,10 +75,10 @@ double Ladder::expected_seconds() const {
 }
 
 void Ladder::go_on(double most_evaluations, const std::vector<Start>& starts, const Need& need,
-                   const std::vector<std::string>& hardest) {
+                   const std::vector<std::string>& hardest, double most_of_all) {
   hardest_ = hardest;
-  const double limit = policy.far_more_work * most_evaluations;
-  while (!is_over_ && expected_evaluations() <= most_evaluations) {
+  const double limit = std::min(policy.far_more_work * most_evaluations, most_of_all);
+  while (!is_over_ && expected_evaluations() <= most_evaluations && expected_evaluations() < most_of_all) {
     check_stop();
     if (is_given_up()) step_back();
     const bool is_limited = limit * need.frames() < static_cast<double>(ode::budget);

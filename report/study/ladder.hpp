@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,11 @@ class Ladder {
   Ladder(const Method&, const Need&);
 
   /// Continues while a setting is expected to take at most so many evaluations per frame. One that takes far
-  /// more is given up, and tried again when so many are allowed. Tries the hardest starts first, named by
-  /// their `says`.
+  /// more, or more than `most_of_all`, is given up, and tried again when so many are allowed. Tries the
+  /// hardest starts first, named by their `says`.
   void go_on(double most_evaluations, const std::vector<Start>&, const Need&,
-             const std::vector<std::string>& hardest = {});
+             const std::vector<std::string>& hardest = {},
+             double most_of_all = std::numeric_limits<double>::infinity());
 
   const Method& method() const { return *method_; }
   /// A setting passes with the margin, or no finer one can help.

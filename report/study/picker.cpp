@@ -47,12 +47,12 @@ bool is_multistep(std::string_view algorithm) {
 
 bool have_same_cost(const Candidate& a, const Candidate& b) { return ties_with(a, b) && ties_with(b, a); }
 
-bool Picker::is_faulted(const Candidate& t) const {
-  return std::ranges::find(scene_.faulted, t.model) != scene_.faulted.end();
+bool Picker::is_faulted(std::string_view model) const {
+  return std::ranges::find(scene_.faulted, model) != scene_.faulted.end();
 }
 
 bool Picker::meets_objective(const Candidate& t) const {
-  return t.holds() && !is_faulted(t) &&
+  return t.holds() && !is_faulted(t.model) &&
          (need_.objective == Objective::cheapest || (is_simple(t) && holds_with_margin(t, need_)));
 }
 
@@ -63,7 +63,7 @@ bool Picker::may_meet_objective(const Ladder& ladder) const {
 }
 
 bool Picker::is_eligible(const Candidate& t, bool by_objective) const {
-  return !is_faulted(t) && t.seconds_per_frame <= need_.budget &&
+  return !is_faulted(t.model) && t.seconds_per_frame <= need_.budget &&
          (by_objective ? meets_objective(t) : t.holds());
 }
 

@@ -25,7 +25,7 @@ class Picker {
   bool may_meet_objective(const Ladder&) const;
   bool is_eligible(const Candidate&, bool by_objective) const;
   /// The scene's page shows the model to be wrong.
-  bool is_faulted(const Candidate&) const;
+  bool is_faulted(std::string_view model) const;
 
  private:
   const Need& need_;

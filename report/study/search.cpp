@@ -43,30 +43,90 @@ Search::Search(const Task& task, const Need& need, const Reference& truth, const
       progress_(progress),
       starts_(task, need, truth, progress, part),
       clock_(need, starts_, price, progress),
-      picker_(need, *task.entry->exercise.scene) {
+      picker_(need, *task.entry->exercise.scene),
+      costs_(part ? part->costs : std::nullopt) {
   const Quantity& motion = starts_.motion();
   for (const auto* methods : {&motion.methods, &motion.methods_in_float})
     for (const Method& method : *methods) {
       if (!is_wanted(need, method) || !can_be_judged(need, motion, method)) continue;
-      if (std::pair which(method.model, method.algorithm); part && part->too_costly.contains(which))
-        too_costly_.push_back(std::move(which));
-      else
-        ladders_.emplace_back(method, need);
+      ladders_.emplace_back(method, need);
     }
   if (ladders_.empty()) throw BadInput("no method is left; this scene has " + names());
   std::vector<const Method*> left;
   for (const Ladder& ladder : ladders_) left.push_back(&ladder.method());
   require_constraint(need, motion, left);
+  if (!costs_) return;
+  const auto costly = std::ranges::stable_partition(ladders_, [&](const Ladder& ladder) {
+    const PartCosts::Cost cost = cost_over_part(ladder), &chosen = costs_->of_chosen;
+    return !picker_.is_faulted(ladder.method().model) &&
+           !(cost.per_frame > policy.far_costlier * chosen.per_frame &&
+             cost.per_frame / cost.per_evaluation >= chosen.per_frame / chosen.per_evaluation);
+  });
+  too_costly_.assign(std::make_move_iterator(costly.begin()), std::make_move_iterator(costly.end()));
+  ladders_.erase(costly.begin(), costly.end());
+}
+
+/// Zeros if it was not tried over a part.
+PartCosts::Cost Search::cost_over_part(const Ladder& ladder) const {
+  const auto found = costs_->all.find({ladder.method().model, ladder.method().algorithm});
+  return found == costs_->all.end() ? PartCosts::Cost{} : found->second;
+}
+
+/// The most evaluations per frame to try a setting with. With more it could not tie with the pick, as the
+/// method chosen over a part can be picked here.
+double Search::most_evaluations(const Ladder& ladder) const {
+  constexpr double most_tie = policy.near_tie * policy.noisy_tie;  // the cost is an estimate
+  return comparable_ ? most_tie * *comparable_ / cost_over_part(ladder).per_evaluation : unlimited;
+}
+
+/// The method chosen over a part comes first, as its cost limits the work on others.
+void Search::climb_chosen_over_part() {
+  if (!costs_) return;
+  const auto is_chosen = [&](const Ladder& ladder) {
+    return PartCosts::Which(ladder.method().model, ladder.method().algorithm) == costs_->chosen;
+  };
+  climb("trying the method chosen over a part", unlimited, is_chosen);
+  Ladder& chosen = *std::ranges::find_if(ladders_, is_chosen);
+  if (Candidate* t = chosen.found(need_).with_margin; t && picker_.meets_objective(*t)) {
+    clock_.time_all({t});
+    comparable_ = t->seconds_per_frame;
+  }
+}
+
+/// Takes up methods that were left out and may cost no more than the pick, or tie with it. They cost at least
+/// as much as over a part. Returns whether there are any.
+bool Search::readmit(const Picked& picked) {
+  const double most =
+      picked.chosen && picked.by_objective ? policy.noisy_tie * picked.chosen->seconds_per_frame : unlimited;
+  const auto back = std::ranges::stable_partition(too_costly_, [&](const Ladder& ladder) {
+    return cost_over_part(ladder).per_frame > most || picker_.is_faulted(ladder.method().model);
+  });
+  const bool any = !back.empty();
+  std::ranges::move(back, std::back_inserter(ladders_));
+  too_costly_.erase(back.begin(), back.end());
+  return any;
+}
+
+std::vector<PartCosts::Which> Search::too_costly() const {
+  std::vector<PartCosts::Which> all;
+  for (const Ladder& ladder : too_costly_) all.emplace_back(ladder.method().model, ladder.method().algorithm);
+  return all;
 }
 
 Picked Search::run() {
+  climb_chosen_over_part();
   climb("trying the methods");
   for (int round = 1;; ++round) {
     Picked picked = pick_cheapest();
+    while (readmit(picked)) {
+      climb("trying more methods");
+      picked = pick_cheapest();
+    }
     if (!picked.chosen || holds_elsewhere(*picked.chosen)) return picked;
     picked.chosen.reset();
     if (round == policy.rounds) return picked;
     starts_.see_unseen();
+    comparable_.reset();
     for (Ladder& ladder : ladders_) ladder.again(need_);
     climb("trying them on more starts");
   }
@@ -125,7 +185,7 @@ void Search::climb(const std::string& stage, double most_evaluations, const Whic
   std::ranges::stable_sort(costliest_first, std::greater(), &Ladder::expected_evaluations);
   Stage tally(progress_, stage, costliest_first.size());
   parallel_for_each(costliest_first, [&](Ladder* ladder) {
-    ladder->go_on(most_evaluations, starts_.seen(), need_, hardest);
+    ladder->go_on(most_evaluations, starts_.seen(), need_, hardest, this->most_evaluations(*ladder));
     tally.add();
   });
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,8 +37,8 @@ class Search {
   const Picker& picker() const { return picker_; }
 
   std::vector<Candidate> all_tried() const;
-  /// Model and algorithm of the methods that are left out, as they cost too much over a part of the horizon.
-  const std::vector<std::pair<std::string, std::string>>& too_costly() const { return too_costly_; }
+  /// Methods that are left out, as they cost too much over a part of the horizon.
+  std::vector<PartCosts::Which> too_costly() const;
   /// The start on which the last pick failed its test. Then the starts on which methods fail that pass on the
   /// requested one, by the number of such methods.
   std::vector<std::string> hardest_starts() const;
@@ -52,6 +53,10 @@ class Search {
   using Rung = Candidate* Ladder::Found::*;
 
   std::string names() const;
+  PartCosts::Cost cost_over_part(const Ladder&) const;
+  double most_evaluations(const Ladder&) const;
+  void climb_chosen_over_part();
+  bool readmit(const Picked&);
   void climb(const std::string& stage);
   void climb(const std::string& stage, double most_evaluations, const Which&);
   bool climb_on(const std::function<double(const Ladder&)>& seconds_per_frame);
@@ -67,8 +72,10 @@ class Search {
   FrameClock clock_;
   Picker picker_;
   std::vector<Ladder> ladders_;
-  std::vector<std::pair<std::string, std::string>> too_costly_;
-  std::string refuted_on_;  ///< the start on which the last pick failed its test
+  std::vector<Ladder> too_costly_;
+  std::optional<PartCosts> costs_;    ///< over a shorter part
+  std::optional<double> comparable_;  ///< s per frame: what the method chosen over the part costs here
+  std::string refuted_on_;            ///< the start on which the last pick failed its test
   int rounds_ = 0, failing_nearby_ = 0;
   double seconds_ = 0, test_seconds_ = 0;
 };
