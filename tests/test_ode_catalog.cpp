@@ -66,7 +66,7 @@ Limits measured() {
 constexpr double as_good_as_none = 0.5;
 
 /// The stability polynomial of a Runge-Kutta method: 1 + z + ... + z^order/order! and higher terms, from sum
-/// b A^k 1 of its tableau in exact fractions.
+/// b A^k 1 of its tableau in exact fractions. The fractions of DOP853 and Verner 9(8) are their decimals.
 struct Polynomial {
   std::string_view name;
   int order;
@@ -79,6 +79,13 @@ const Polynomial polynomials[] = {
     {"Cash-Karp 5(4)", 5, {1.0 / 800}},
     {"Dormand-Prince 5(4)", 5, {1.0 / 600}},
     {"Fehlberg 7(8)", 8, {491.0 / 209018880, 1333.0 / 5643509760, -13.0 / 501645312, -65.0 / 4514807808}},
+    {"DOP853",
+     8,
+     {2.6916922001690856e-06, 2.341345108209780e-07, 1.4947364854591546e-08, 3.6133245781282443e-10}},
+    {"Verner 9(8)",
+     9,
+     {2.8123513286039857e-07, 3.361161047774021e-08, -2.330578686585332e-10, -3.088243751740972e-09,
+      2.4836903257690681e-10, 1.2379232040470214e-12}},
     {"GSL rk8pd",
      8,
      {2.7521279901047076e-06, 2.4231996586958736e-07, 2.4389718205443207e-08, -2.0346152896857728e-10}},
@@ -147,6 +154,39 @@ TEST_CASE("a step of each Runge-Kutta method agrees with its stability polynomia
       INFO(name << " at " << z);
       CHECK(near(growth(name, z), log_of(*p, z), 1e-14));
     }
+}
+
+TEST_CASE("the stability polynomials agree with the tableaus that the program has", "[solvers]") {
+  const auto check = []<class Algorithm>() {
+    using Tableau = typename Algorithm::Tableau;
+    const Polynomial& p = *std::ranges::find(polynomials, Algorithm::name, &Polynomial::name);
+    constexpr std::size_t stages = std::size(Tableau::a);
+    std::array<long double, stages> power;  // A^k 1
+    power.fill(1);
+    long double inverse_factorial = 1;
+    for (std::size_t k = 1; k <= stages; ++k) {
+      long double coefficient = 0, absolute = 0;
+      for (std::size_t i = 0; i < stages; ++i) {
+        coefficient += Tableau::b[i] * power[i];
+        absolute += std::abs(Tableau::b[i] * power[i]);
+      }
+      inverse_factorial /= static_cast<long double>(k);
+      const std::size_t beyond = k - static_cast<std::size_t>(p.order) - 1;
+      const long double listed = k <= static_cast<std::size_t>(p.order) ? inverse_factorial
+                                 : beyond < p.beyond.size()             ? p.beyond[beyond]
+                                                                        : 0;
+      INFO(Algorithm::name << ", z^" << k);
+      CHECK(near(static_cast<double>(coefficient), static_cast<double>(listed),
+                 1e-14 * static_cast<double>(absolute)));
+      for (std::size_t i = stages; i-- > 0;) {
+        long double sum = 0;
+        for (std::size_t j = 0; j < i; ++j) sum += Tableau::a[i][j] * power[j];
+        power[i] = sum;
+      }
+    }
+  };
+  check.operator()<DormandPrince853>();
+  check.operator()<Verner98>();
 }
 
 TEST_CASE("where the imaginary axis is unstable, growth begins with a high power", "[solvers]") {

@@ -62,6 +62,8 @@ TEST_CASE("a controlled step costs its stages, Dormand-Prince's last stage being
   CHECK(evaluations.operator()<CashKarp54>() % 6 == 0);
   CHECK(evaluations.operator()<DormandPrince54>() % 6 == 1);
   CHECK(evaluations.operator()<Fehlberg78>() % 13 == 0);
+  CHECK(evaluations.operator()<DormandPrince853>() % 12 == 0);
+  CHECK(evaluations.operator()<Verner98>() % 16 == 0);
   CHECK(evaluations.operator()<Rk8pd>() % 13 == 1);
 }
 

@@ -50,6 +50,7 @@ constexpr Alias aliases[]{
     {"dopri5", "Dormand-Prince 5(4)"},
     {"dormandprince", "Dormand-Prince 5(4)"},
     {"rkf78", "Fehlberg 7(8)"},
+    {"vern9", "Verner 9(8)"},
 };
 
 std::string plain(std::string_view name) {

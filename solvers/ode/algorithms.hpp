@@ -24,6 +24,8 @@
   F(AdamsBashforthMoulton6, adams_bashforth_moulton) \
   F(ImplicitEuler, implicit_euler)                   \
   F(Rosenbrock4, rosenbrock_4)                       \
+  F(DormandPrince853, dormand_prince_853)            \
+  F(Verner98, verner_98)                             \
   F(Rk8pd, rk8pd)                                    \
   F(Msadams, msadams)                                \
   F(Msbdf, msbdf)                                    \
