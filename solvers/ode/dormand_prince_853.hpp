@@ -15,9 +15,9 @@ namespace oddity::ode {
 /// axis. Its coefficients are those of E. Hairer's program DOP853: Hairer, Norsett and Wanner, Solving
 /// Ordinary Differential Equations I, 2nd edition, 1993, section II.10.
 ///
-/// The error is e5^2 / sqrt(e5^2 + 0.01 e3^2), of the differences e5 and e3 from the embedded orders, and
-/// shrinks as h^8. Hairer's program combines mean squares over all unknowns. Here each unknown has its own
-/// error, as Odeint's step control takes the largest.
+/// The error is that of the embedded order 5, e5, times |e5| / sqrt(e5^2 + 0.01 e3^2), whose norms are over
+/// all unknowns. So it shrinks as h^8. Hairer's program takes the mean square of the errors; Odeint's step
+/// control takes the largest.
 struct DormandPrince853 {
   static constexpr std::string_view name = "DOP853";
   static constexpr Kind kind = Kind::controlled;
@@ -91,10 +91,10 @@ struct DormandPrince853 {
          0.3341791187130174790297318841, 0.08192320648511571246570742613, -0.02235530786388629525884427845},
         detail::difference(b, third_order)};
 
-    static double error(double e5, double e3) {
-      if (e5 == 0) return 0;
-      const double ratio = 0.1 * e3 / e5;
-      return e5 / std::sqrt(1 + ratio * ratio);
+    /// Takes all of e5 where squares overflow or vanish.
+    static double part(double e5_squared, double e3_squared) {
+      if (!(e5_squared > 0 && e3_squared < Facts::everywhere)) return 1;
+      return 1 / std::sqrt(1 + 0.01 * e3_squared / e5_squared);
     }
   };
 

@@ -5,6 +5,7 @@
 #include <boost/numeric/odeint/algebra/operations_dispatcher.hpp>
 #include <boost/numeric/odeint/stepper/base/explicit_error_stepper_base.hpp>
 #include <boost/numeric/odeint/util/resizer.hpp>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -61,8 +62,9 @@ auto weighted(const Rates& rates, std::size_t i) {
 }
 
 /// An error stepper of Odeint. A tableau has its order, the times c, and the weights a of the stages, b of
-/// the end, and those of its error estimates. Its error(estimates) combines these for one unknown, per unit
-/// of time. The error of a step is of the tableau's order.
+/// the end, and those of an estimate of the error per unit of time. The error of a step is of the tableau's
+/// order. If there are two estimates, part(first, second) is the part of the first that counts as the error,
+/// from their sums of squares over all unknowns.
 template <class Tableau, class State>
 class EmbeddedRungeKutta
     : public boost::numeric::odeint::explicit_error_stepper_base<
@@ -83,12 +85,12 @@ class EmbeddedRungeKutta
   void do_step_impl(const System& system, const State& x, const State& first, double t, State& end, double h,
                     State& error) {
     const auto k = rates<std::size(Tableau::a)>(system, x, first, t, h);
-    end_of_step(x, k, h, end);
-    [&]<std::size_t... nth>(std::index_sequence<nth...>) {
-      for (std::size_t i = 0; i < error.size(); ++i)
-        error[i] = h * Tableau::error(weighted<OfEstimate<Tableau, nth>>(k, i)...);
+    for (std::size_t i = 0; i < error.size(); ++i) error[i] = h * weighted<OfEstimate<Tableau, 0>>(k, i);
+    if constexpr (std::size(Tableau::estimates) == 2) {
+      const double part = part_of_error(x, k, h);
+      for (std::size_t i = 0; i < error.size(); ++i) error[i] *= part;
     }
-    (std::make_index_sequence<std::size(Tableau::estimates)>());
+    end_of_step(x, k, h, end);
   }
 
  private:
@@ -108,6 +110,20 @@ class EmbeddedRungeKutta
     State y{};
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = x[i] + h * weighted<OfStage<Tableau, stage>>(k, i);
     system(y, k[stage], t + Tableau::c[stage] * h);
+  }
+
+  /// Unknowns have the scale that Odeint's step control gives them where both tolerances are equal.
+  template <class Rates>
+  static double part_of_error(const State& x, const Rates& k, double h) {
+    double first = 0, second = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double scale = 1 + std::abs(x[i]) + std::abs(h * k[0][i]),
+                   one = weighted<OfEstimate<Tableau, 0>>(k, i) / scale,
+                   other = weighted<OfEstimate<Tableau, 1>>(k, i) / scale;
+      first += one * one;
+      second += other * other;
+    }
+    return Tableau::part(first, second);
   }
 
   template <class Rates>

@@ -119,8 +119,6 @@ struct Verner98 {
                                              0,
                                              0.04834231373823958314376726739772871714902};
     static constexpr Weights estimates[] = {detail::difference(b, eighth_order)};
-
-    static double error(double e8) { return e8; }
   };
 
   static constexpr double first_step = 1e-3;  ///< fraction of the whole span

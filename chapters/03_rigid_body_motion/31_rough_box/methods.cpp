@@ -249,6 +249,8 @@ Quantity slide(const Box& box, const Horizon& horizon, const Reference& truth) {
                                  {"Adams-Bashforth-Moulton 6", inaccurate, creeps},
                                  {"linearly implicit Euler", inaccurate, creeps},
                                  {"Rosenbrock 4", inaccurate, creeps},
+                                 {"DOP853", inaccurate, creeps},
+                                 {"Verner 9(8)", inaccurate, creeps},
                                  {"GSL rk8pd", inaccurate, creeps},
                                  {"GSL msadams", inaccurate, creeps},
                                  {"GSL msbdf", inaccurate, creeps},
