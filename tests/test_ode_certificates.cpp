@@ -46,10 +46,23 @@ constexpr double least_tolerances = changes_order<Algorithm>              ? 0.5
 template <class Algorithm>
 double measured_order(const Problem& problem, Span span, int times = 1) {
   constexpr int order = Algorithm::order;
-  constexpr int usual = order <= 1 ? 1024 : order <= 4 ? 512 : order <= 5 ? 256 : order <= 6 ? 128 : 32;
+  constexpr int usual = order <= 1   ? 1024
+                        : order <= 4 ? 512
+                        : order <= 5 ? 256
+                        : order <= 6 ? 128
+                        : order <= 8 ? 32
+                                     : 16;
   const int n = times * (multistep<Algorithm> ? std::max(usual, 256) : usual);
   return std::log2(error_of_fixed_steps<Algorithm>(problem, span, n / 2) /
                    error_of_fixed_steps<Algorithm>(problem, span, n));
+}
+
+/// Beyond order 8 the error reaches rounding before its leading term is alone (test_tableaus.cpp has the
+/// order itself).
+template <class Algorithm>
+Within near_its_order(double measured, double allowed) {
+  constexpr int order = Algorithm::order;
+  return within(measured, order - allowed, order + (order > 8 ? 1 : allowed));
 }
 
 /// The slope of log(error at the end) over log(tolerance).
@@ -83,9 +96,9 @@ TEST_CASE("every fixed step has its order without explicit time, forward and bac
         if (std::is_same_v<Algorithm, Rk8pd>)  // the next term of a linear problem's error is larger
           CHECK(within(measured_order<Algorithm>(oscillator, span), 7.9, 9.1));
         else
-          CHECK(near(measured_order<Algorithm>(oscillator, span), Algorithm::order, 0.15));
+          CHECK(near_its_order<Algorithm>(measured_order<Algorithm>(oscillator, span), 0.15));
       for (Span span : {Span{-1.5, 1.5}, Span{1.5, -1.5}})
-        CHECK(near(measured_order<Algorithm>(separatrix, span), Algorithm::order, 0.25));
+        CHECK(near_its_order<Algorithm>(measured_order<Algorithm>(separatrix, span), 0.25));
     }
   });
 }
@@ -94,8 +107,9 @@ TEST_CASE("every fixed step has its order with explicit time, forward and backwa
   for_each_algorithm([]<class Algorithm>() {
     INFO(Algorithm::name);
     if constexpr (!of_positions_and_velocities<Algorithm> && has_fixed_order<Algorithm>) {
+      constexpr int times = Algorithm::order <= 6 ? 2 : Algorithm::order <= 8 ? 3 : 4;
       for (Span span : {Span{0, 10}, Span{0, -10}})
-        CHECK(near(measured_order<Algorithm>(driven, span, 2), Algorithm::order, 0.25));
+        CHECK(near_its_order<Algorithm>(measured_order<Algorithm>(driven, span, times), 0.25));
     }
   });
 }

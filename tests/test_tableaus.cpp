@@ -138,7 +138,7 @@ TEST_CASE("the error estimate of one step shrinks with the order of the method",
       stepper.do_step(problems::separatrix.system, x, 0.5, h, error);
       return std::hypot(error[0], error[1]);
     };
-    return std::log2(estimate(0.1) / estimate(0.05));
+    return std::log2(estimate(0.4) / estimate(0.2));
   };
   CHECK(near(order.operator()<DormandPrince853>(), 8, 0.3));
   CHECK(near(order.operator()<Verner98>(), 9, 0.3));
