@@ -144,7 +144,7 @@ TEST_CASE("the error estimate of one step shrinks with the order of the method",
   CHECK(near(order.operator()<Verner98>(), 9, 0.3));
 }
 
-TEST_CASE("of DOP853's first estimate a part counts, as in Hairer's program", "[solvers]") {
+TEST_CASE("DOP853 counts as much of its first estimate as Hairer's program", "[solvers]") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto part = DormandPrince853::Tableau::part;
   CHECK(near_ulps(part(3 * 3, 40 * 40), 3 / 5.0, 4));  // 3 / sqrt(3^2 + (40 / 10)^2)

@@ -314,7 +314,7 @@ Json exact_models(const Trajectory& shown) {
   return names;
 }
 
-/// The module contains the listed models with Odeint's algorithms.
+/// The module contains the listed models with Odeint's algorithms, and ours without series.
 bool in_module(const Scene& scene, const Path& path) {
   const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
   return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") && !starts("Taylor ") &&

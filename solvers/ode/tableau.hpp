@@ -61,10 +61,10 @@ auto weighted(const Rates& rates, std::size_t i) {
   (std::make_index_sequence<used<Of>.size()>());
 }
 
-/// An error stepper of Odeint. A tableau has its order, the times c, and the weights a of the stages, b of
-/// the end, and those of an estimate of the error per unit of time. The error of a step is of the tableau's
-/// order. If there are two estimates, part(first, second) is the part of the first that counts as the error,
-/// from their sums of squares over all unknowns.
+/// An error stepper of Odeint. A tableau has its order and the times c of its stages. It has the weights a of
+/// the stages, b of the end, and those of one or two estimates of the error per unit of time. Of two,
+/// part(first, second) is the part of the first that counts as the error, from sums of squares over all
+/// unknowns.
 template <class Tableau, class State>
 class EmbeddedRungeKutta
     : public boost::numeric::odeint::explicit_error_stepper_base<
