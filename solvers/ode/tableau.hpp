@@ -84,7 +84,7 @@ class EmbeddedRungeKutta
   template <class System>
   void do_step_impl(const System& system, const State& x, const State& first, double t, State& end, double h,
                     State& error) {
-    const auto k = rates<std::size(Tableau::a)>(system, x, first, t, h);
+    const Rates k = rates<stages>(system, x, first, t, h);
     for (std::size_t i = 0; i < error.size(); ++i) error[i] = h * weighted<OfEstimate<Tableau, 0>>(k, i);
     if constexpr (std::size(Tableau::estimates) == 2) {
       const double part = part_of_error(x, k, h);
@@ -94,10 +94,13 @@ class EmbeddedRungeKutta
   }
 
  private:
+  static constexpr std::size_t stages = std::size(Tableau::a);
+  using Rates = std::array<State, stages>;
+
+  /// The rates of the first stages; the others' are zero.
   template <std::size_t count, class System>
-  static std::array<State, count> rates(const System& system, const State& x, const State& first, double t,
-                                        double h) {
-    std::array<State, count> k{first};
+  static Rates rates(const System& system, const State& x, const State& first, double t, double h) {
+    Rates k{first};
     [&]<std::size_t... before>(std::index_sequence<before...>) {
       (evaluate<before + 1>(system, x, t, h, k), ...);
     }
@@ -105,7 +108,7 @@ class EmbeddedRungeKutta
     return k;
   }
 
-  template <std::size_t stage, class System, class Rates>
+  template <std::size_t stage, class System>
   static void evaluate(const System& system, const State& x, double t, double h, Rates& k) {
     State y{};
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = x[i] + h * weighted<OfStage<Tableau, stage>>(k, i);
@@ -113,7 +116,6 @@ class EmbeddedRungeKutta
   }
 
   /// Unknowns have the scale that Odeint's step control gives them where both tolerances are equal.
-  template <class Rates>
   static double part_of_error(const State& x, const Rates& k, double h) {
     double first = 0, second = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -126,7 +128,6 @@ class EmbeddedRungeKutta
     return Tableau::part(first, second);
   }
 
-  template <class Rates>
   static void end_of_step(const State& x, const Rates& k, double h, State& end) {
     for (std::size_t i = 0; i < x.size(); ++i) end[i] = x[i] + h * weighted<OfEnd<Tableau>>(k, i);
   }
