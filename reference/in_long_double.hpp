@@ -27,7 +27,7 @@ std::optional<Known> motion_in_long_double(std::string_view table, const std::ve
                                            std::span<const double> times, std::size_t compared,
                                            const std::function<void(double)>& tick,
                                            BoundedBy = BoundedBy::routes);
-/// The same in double.
+/// As `motion_in_long_double`, in double.
 std::optional<Known> motion_in_double(std::string_view table, const std::vector<double>& inputs_but_time,
                                       std::span<const double> times, std::size_t compared,
                                       const std::function<void(double)>& tick, BoundedBy = BoundedBy::routes);

@@ -74,7 +74,7 @@ class Search {
   std::vector<Ladder> ladders_;
   std::vector<Ladder> too_costly_;
   std::optional<PartCosts> costs_;    ///< over a shorter part
-  std::optional<double> comparable_;  ///< s per frame: what the method chosen over the part costs here
+  std::optional<double> comparable_;  ///< s per frame, of the method chosen over the part
   std::string refuted_on_;            ///< the start on which the last pick failed its test
   int rounds_ = 0, failing_nearby_ = 0;
   double seconds_ = 0, test_seconds_ = 0;
