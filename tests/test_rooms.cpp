@@ -1,8 +1,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 
+#include "chapters/contents.hpp"
 #include "report/verify/catch.hpp"
 
 namespace fs = std::filesystem;
@@ -41,6 +43,17 @@ void may_know(const std::string& room, const std::vector<std::string>& rooms) {
         return included == known || included.rfind(known + "/", 0) == 0;
       }));
     }
+}
+
+/// A path of includes from the file to one of these headers, "a > b > c", or empty.
+std::string path_to(const std::set<std::string>& headers, const std::string& file,
+                    std::set<std::string>& seen) {
+  for (const std::string& included : ours(fs::path(ODDITY_SOURCE) / file)) {
+    if (headers.count(included) > 0) return file + " > " + included;
+    if (!seen.insert(included).second) continue;
+    if (const std::string rest = path_to(headers, included, seen); !rest.empty()) return file + " > " + rest;
+  }
+  return {};
 }
 
 }  // namespace
@@ -117,6 +130,33 @@ TEST_CASE("a header of the chapters has two includers or more, else it is a sour
     INFO(name);
     CHECK((file.extension() != ".hpp" || for_the_page || for_ones_own || includers[name] >= 2));
   }
+}
+
+TEST_CASE("a scene's sources do without the claims' headers, whose changes would compile it again",
+          "[rooms]") {
+  const std::set<std::string> of_claims{"chapters/claims.hpp", "chapters/formulas.hpp",
+                                        "chapters/provable_claims.hpp"};
+  // As CMakeLists.txt distinguishes claims and proofs from scenes.
+  const std::regex claims_or_proofs(
+      "claims|coq_source|tactics|expression|meanings|proof|proofs|provable|[a-z]+_claims|[a-z]+_proofs|"
+      "typeset|compare_typeset|near_misses"),
+      exercise("chapters/([0-9][0-9])_[^/]*/([0-9][0-9])_.*");
+  int scenes = 0;
+  for (const fs::path& file : sources("chapters")) {
+    if (file.extension() != ".cpp" || std::regex_match(file.stem().string(), claims_or_proofs)) continue;
+    const std::string name = file.lexically_relative(ODDITY_SOURCE).generic_string();
+    std::smatch number;
+    // An exercise of one's own may have all in one file.
+    if (std::regex_match(name, number, exercise) &&
+        !oddity::of_the_book({std::stoi(number[1]), std::stoi(number[2])}))
+      continue;
+    ++scenes;
+    std::set<std::string> seen;
+    const std::string path = path_to(of_claims, name, seen);
+    INFO(path << ": move the claims to a claims.cpp of the exercise's folder");
+    CHECK(path.empty());
+  }
+  CHECK(scenes > 48);
 }
 
 TEST_CASE("the vocabulary needs the standard library only", "[rooms]") {

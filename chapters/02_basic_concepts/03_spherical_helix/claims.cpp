@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "chapters/02_basic_concepts/03_spherical_helix/spherical_helix.hpp"
+#include "chapters/02_basic_concepts/shared/limit_claims.hpp"
 #include "chapters/02_basic_concepts/shared/limit_proofs.hpp"
-#include "chapters/02_basic_concepts/shared/limits.hpp"
 #include "reference/text.hpp"
 
 namespace oddity::spherical_helix {

@@ -7,7 +7,6 @@
 
 #include "chapters/03_rigid_body_motion/31_rough_box/drawing.hpp"
 #include "chapters/03_rigid_body_motion/31_rough_box/rough_box.hpp"
-#include "chapters/claims.hpp"
 #include "chapters/energies.hpp"
 #include "chapters/in_float.hpp"
 #include "chapters/scene.hpp"
@@ -26,22 +25,6 @@ constexpr Parameter parameters[] = {
     {"v0", 0.5, "m/s", "velocity at the start, across", 0, 100},
     {"w0", 10, "rad/s", "angular velocity at the start", 0, 1000},
 };
-
-// ---- the claims -------------------------------------------------------------------------------------------
-
-std::vector<Claim> claims() {
-  const std::string why =
-      "the program is on the book's CD-ROM; the text gives neither its equations nor a listing";
-  return Claims("3.31")
-      .add("rough_friction", 2949,
-           "The program `RoughPlaneSolidBox` is an implementation that uses rough friction",
-           {.not_checkable = why})
-      .add("no_static_friction", 2949, "The program does not incorporate static friction",
-           {.not_checkable = why})
-      .add("easily_modified", 2949, "The program may easily be modified to have static friction",
-           {.not_checkable = why})
-      .in_order();
-}
 
 Box asked(const Parameters& p) { return {{p["a"], p["b"]}, p["mu"], p["g"], p["u0"], p["v0"], p["w0"]}; }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <set>
 
+#include "chapters/05_fluids_and_gases/15_repeated_curl/lines.hpp"
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
 #include "reference/text.hpp"
 
@@ -290,5 +291,7 @@ Lines lines(Random random) {
   all.printed.emplace_back("product", product);
   return all;
 }
+
+std::vector<Claim> claims(const Random& random) { return lines(random).claims.in_order(); }
 
 }  // namespace oddity::ex05_15

@@ -20,7 +20,7 @@ constexpr auto parameters = [] {
 }();
 
 Findings study(const Parameters& p, const Reference& truth) {
-  return {lines(Random(p["seed"])).claims.in_order(), quantities(At(p), p["n"], truth)};
+  return {claims(Random(p["seed"])), quantities(At(p), p["n"], truth)};
 }
 
 }  // namespace ex05_15

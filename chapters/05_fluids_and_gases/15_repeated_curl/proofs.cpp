@@ -1,4 +1,5 @@
 // The index expressions of the claims, recorded component by component, for any fields and any frame r.
+#include "chapters/05_fluids_and_gases/15_repeated_curl/lines.hpp"
 #include "chapters/05_fluids_and_gases/15_repeated_curl/repeated_curl.hpp"
 #include "chapters/05_fluids_and_gases/shared/smooth_fields.hpp"
 #include "chapters/provable.hpp"

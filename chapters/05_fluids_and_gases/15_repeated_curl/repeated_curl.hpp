@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "chapters/05_fluids_and_gases/shared/differentiation.hpp"
-#include "chapters/claims.hpp"
 #include "chapters/exercise.hpp"
 #include "chapters/expression.hpp"
 #include "chapters/random.hpp"
@@ -223,19 +222,10 @@ auto turned_field(const Field& f, const FrameOf<R>& r) {
 
 namespace oddity::ex05_15 {
 
-/// A published equation of index expressions.
-struct Said {
-  std::string left, right, free = "i";
-};
-/// The claims, and the lines that they state as printed, by slug.
-struct Lines {
-  Claims claims{"5.15"};
-  std::vector<std::pair<std::string, std::vector<Said>>> printed = {};
-};
-Lines lines(Random);
 /// The curls applied 1, ..., `most` times.
 std::vector<Quantity> quantities(const fields::At&, double most, const Reference&);
 
+std::vector<Claim> claims(const Random&);
 Provables proofs();
 
 }  // namespace oddity::ex05_15

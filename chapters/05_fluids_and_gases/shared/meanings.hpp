@@ -17,6 +17,7 @@ CoqField operator-(const CoqField&, const CoqField&);
 CoqField operator*(const CoqField&, const CoqField&);
 CoqField partial(const CoqField&, std::size_t by);
 
+using oddity::cross, oddity::dot;  // for vectors of numbers, next to those for fields
 CoqField divergence(const CoqVector&);
 CoqVector curl(const CoqVector&);
 CoqVector gradient(const CoqField&);

@@ -63,7 +63,19 @@ Pairs by_center_bins(const std::vector<Frame>&, const Grid&, bool own_bin_alone)
 /// frame.
 Pairs by_sweep(const std::vector<Frame>&, bool keep_order);
 
+/// Random spheres from the parameters, after these.
+std::vector<Mover> movers(const Parameters&, std::vector<Mover>);
+/// Edge cases without the one whose radius makes all bins be searched for centers.
+extern const std::vector<Mover> edge_cases_of_a_size;
+std::vector<Frame> frames_of(const std::vector<Mover>&, int count);
+/// Tests every pair of every frame in integers.
+std::vector<double> exact_pairs(const std::vector<Mover>&, int count);
+/// Bins of the world, so many along an axis.
+Grid grid_of(double across);
+
 /// The time when the user's two spheres first touch; nullopt if they touch from the start, or never.
 std::optional<Quantity> first_contact(const Parameters&);
+
+std::vector<Claim> claims(const Parameters&);
 
 }  // namespace oddity::ex06_03

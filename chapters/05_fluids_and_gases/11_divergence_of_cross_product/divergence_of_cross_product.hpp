@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "chapters/exercise.hpp"
+#include "chapters/random.hpp"
+
+namespace oddity::ex05_11 {
+
+std::vector<Claim> claims(const Random&);
+Provables proofs();
+
+}  // namespace oddity::ex05_11
