@@ -1,6 +1,7 @@
 #include "chapters/provable_claims.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
+#include <complex>
 
 #include "chapters/03_rigid_body_motion/19_two_pulleys/two_pulleys.hpp"
 #include "chapters/03_rigid_body_motion/shared/lagrange.hpp"
@@ -170,11 +171,12 @@ std::vector<double> tensions_until(double end, double lever = 2) {
   return all;
 }
 /// The frequencies of the standard pulleys, complex where they are not stable.
-Eigen::Vector2cd frequencies(double lever) {
+std::array<std::complex<double>, 2> frequencies(double lever) {
   const auto& p = standard;
   const auto a = p.accelerations(std::array{p.c1 + 2 * lever * p.c2, -2 * p.c2}),
              b = p.accelerations(std::array{-lever * p.c2, p.c2});
-  return Eigen::Matrix2d{{a[0], b[0]}, {a[1], b[1]}}.eigenvalues().cwiseSqrt();
+  const auto squares = eigenvalues(Eigen::Matrix2d{{a[0], b[0]}, {a[1], b[1]}});
+  return {std::sqrt(squares.at(0)), std::sqrt(squares.at(1))};
 }
 
 // ---- the ropes --------------------------------------------------------------------------------------------
