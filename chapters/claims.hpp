@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -76,17 +77,17 @@ Check in_all(const std::string& text, const std::vector<Sample>& samples,
   return no_violations(text + ": cases against it", violations, static_cast<long>(samples.size()), where);
 }
 
-/// Compares the sentence, if it is an inequality or an equation, with `holds` over the samples.
+/// A statement about samples of any type.
+struct AnyStatement {
+  std::string text;
+  std::function<bool(std::size_t)> holds = {};
+};
+/// Refers to the statement and the samples.
 template <class Sample>
-Typesetting compare_typeset(const Statement<Sample>& statement, const std::vector<Sample>& samples) {
-  if constexpr (Typeset<Sample>) {
-    constexpr std::size_t enough = 64;
-    std::vector<std::pair<TypesetLetters, bool>> said;
-    for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
-      said.emplace_back(typeset_of(samples[i]), statement.holds(samples[i]));
-    return compare_typeset(statement.text, said);
-  }
-  return {};
+AnyStatement any_statement(const Statement<Sample>& statement, const std::vector<Sample>& samples) {
+  AnyStatement any{statement.text};
+  if (statement.holds) any.holds = [&](std::size_t i) { return statement.holds(samples[i]); };
+  return any;
 }
 
 /// A claim that a statement is true in every case.
@@ -100,6 +101,29 @@ struct StatementClaim {
   Fault kind = Fault::none;
   std::string root = {};
   std::string why = {};
+};
+
+// ---- of samples of any type
+// --------------------------------------------------------------------------------
+
+struct AnyFormulaClaim {
+  std::string quantity;
+  AnyFormula truth;
+  std::vector<AnyFormula> other_routes = {};
+  AnyFormula printed, meant, corrected;
+  AnyInView in_view;
+  std::vector<AnyFormula> near_misses = {};
+  std::string changes_that_hold;
+  Fault kind;
+  std::string root, why;
+};
+
+struct AnyStatementClaim {
+  AnyStatement printed, meant, corrected;
+  AnyInView in_view;
+  std::vector<AnyStatement> near_misses = {};
+  Fault kind;
+  std::string root, why;
 };
 
 // ---- numbers ----------------------------------------------------------------------------------------------
@@ -176,7 +200,7 @@ struct Over {
     if constexpr (Typeset<Sample>) {
       const std::string_view formula = std::string_view(quantity).substr(1, quantity.size() - 2);
       if (samples.empty() || !typeset_value(formula, typeset_of(samples[0]))) return;
-      const Check check = compare(quantity, computed(Formula<Sample>{quantity}), computed(truth), samples);
+      const Check check = compare<Sample>(quantity, {quantity}, truth, samples);
       if (!check.holds())
         throw std::logic_error(quantity + " has another value than '" + truth.text + "', at " + check.where);
     }
@@ -189,61 +213,44 @@ class Claims {
   /// `exercise`: "3.5".
   explicit Claims(std::string exercise) : exercise_(std::move(exercise)) {}
 
-  template <class Sample>
+  /// `parts`: a FormulaClaim, or one with the same members.
+  template <class Sample, class Parts = FormulaClaim<Sample>>
   Claims& formula(std::string_view slug, int line, std::string says, const std::vector<Sample>& samples,
-                  const FormulaClaim<Sample>& parts) {
-    const std::string quantity = parts.quantity.empty() ? says : parts.quantity;
-    Reading in_view;
-    const LettersAtSamples<Sample>& letters = letters_of(samples);
-    const AtSamples<Sample> truth = at_samples(parts.truth, letters);
-    std::vector<AtSamples<Sample>> other_routes;
-    for (const Formula<Sample>& route : parts.other_routes)
-      other_routes.push_back(at_samples(route, letters));
-    if (parts.in_view.is)
-      if (const auto seen = parts.in_view.of(samples); !seen.empty())
-        in_view = {parts.in_view.text,
-                   {compare(quantity, computed(parts.printed), computed(parts.truth), seen)}};
-    judged(slug, line, std::move(says), parts, in_view, [&](const Formula<Sample>& stated) -> Reading {
-      const Formula<Sample> formula = computed(stated);
-      if (!formula.of) return {};
-      // A text alone is its own code, but an equation's sides may have values in the letters.
-      const bool is_own = is_text(stated) && is_formula(stated.text) &&
-                          formula::sides_of(stated.text.substr(1, stated.text.size() - 2)).relations.empty();
-      const Typesetting typeset = is_own ? Typesetting{true, "", ""} : compare_typeset(formula, samples);
-      const AtSamples<Sample> here = at_samples(stated, letters);
-      Reading reading{formula.text, {compare(quantity, here, truth)}, typeset.read};
-      for (const AtSamples<Sample>& route : other_routes)
-        reading.checks.push_back(compare(quantity, here, route));
-      for (const std::string& seen : {typeset.difference, reading.holds() ? typeset.unequal : ""})
-        if (!seen.empty()) differences_.push_back(std::string(slug) + ": " + seen);
-      return reading;
-    });
-    const Formula<Sample>& right = !parts.meant.text.empty()       ? parts.meant
-                                   : !parts.corrected.text.empty() ? parts.corrected
-                                                                   : parts.printed;
-    if (is_text(right))
-      for (Reading& one : single_changes(quantity, right, truth, letters, parts.changes_that_hold))
-        claims_.back().near_misses.push_back(std::move(one));
-    return *this;
+                  const Parts& parts) {
+    const auto any = [&](const Formula<Sample>& formula) { return any_formula(formula, samples); };
+    AnyFormulaClaim claim{.quantity = parts.quantity,
+                          .truth = any(parts.truth),
+                          .printed = any(parts.printed),
+                          .meant = any(parts.meant),
+                          .corrected = any(parts.corrected),
+                          .in_view = any_in_view(parts.in_view, samples),
+                          .changes_that_hold = parts.changes_that_hold,
+                          .kind = parts.kind,
+                          .root = parts.root,
+                          .why = parts.why};
+    for (const auto& route : parts.other_routes) claim.other_routes.push_back(any(route));
+    for (const auto& near : parts.near_misses) claim.near_misses.push_back(any(near));
+    return formula(slug, line, std::move(says), any_samples(samples), claim);
   }
+  Claims& formula(std::string_view slug, int line, std::string says, std::unique_ptr<const AnySamples>,
+                  const AnyFormulaClaim&);
 
   template <class Sample>
   Claims& statement(std::string_view slug, int line, std::string says, const std::vector<Sample>& samples,
                     const StatementClaim<Sample>& parts) {
-    Reading in_view;
-    if (parts.in_view.is)
-      if (const auto seen = parts.in_view.of(samples); !seen.empty())
-        in_view = {parts.in_view.text, {in_all(parts.printed.text, seen, computed(parts.printed).holds)}};
-    return judged(slug, line, std::move(says), parts, in_view,
-                  [&](const Statement<Sample>& stated) -> Reading {
-                    const Statement<Sample> statement = computed(stated);
-                    if (!statement.holds) return {};
-                    const Typesetting typeset = compare_typeset(statement, samples);
-                    if (!typeset.difference.empty())
-                      differences_.push_back(std::string(slug) + ": " + typeset.difference);
-                    return {statement.text, {in_all(statement.text, samples, statement.holds)}, typeset.read};
-                  });
+    const auto any = [&](const Statement<Sample>& statement) { return any_statement(statement, samples); };
+    AnyStatementClaim claim{.printed = any(parts.printed),
+                            .meant = any(parts.meant),
+                            .corrected = any(parts.corrected),
+                            .in_view = any_in_view(parts.in_view, samples),
+                            .kind = parts.kind,
+                            .root = parts.root,
+                            .why = parts.why};
+    for (const auto& near : parts.near_misses) claim.near_misses.push_back(any(near));
+    return statement(slug, line, std::move(says), SamplesOf<Sample>(samples), claim);
   }
+  Claims& statement(std::string_view slug, int line, std::string says, const AnySamples&,
+                    const AnyStatementClaim&);
 
   template <class Sample>
   auto over(const std::vector<Sample>& samples) {
@@ -261,35 +268,19 @@ class Claims {
   std::vector<Claim> in_order() const;
 
  private:
-  template <class Parts, class Read>
-  Claims& judged(std::string_view slug, int line, std::string says, const Parts& parts, Reading in_view,
-                 const Read& read) {
-    Claim claim{.printed = read(parts.printed),
-                .meant = read(parts.meant),
-                .corrected = read(parts.corrected),
-                .in_view = std::move(in_view),
-                .why = parts.why,
-                .kind = parts.kind,
-                .root = parts.root};
-    for (const auto& near : parts.near_misses) claim.near_misses.push_back(read(near));
-    return add(slug, line, std::move(says), std::move(claim));
-  }
-
   template <class Sample>
-  const LettersAtSamples<Sample>& letters_of(const std::vector<Sample>& samples) {
-    std::shared_ptr<void>& kept = letters_[{&samples, &type_of<Sample>}];
-    auto known = std::static_pointer_cast<const LettersAtSamples<Sample>>(kept);
-    if (known && known->are_of(samples)) return *known;
-    kept = std::make_shared<LettersAtSamples<Sample>>(samples);
-    return *std::static_pointer_cast<const LettersAtSamples<Sample>>(kept);
+  static std::unique_ptr<const AnySamples> any_samples(const std::vector<Sample>& samples) {
+    return std::unique_ptr<const AnySamples>(new SamplesOf<Sample>(samples));
   }
+  template <class Parts, class Read>
+  Claims& judged(std::string_view slug, int line, std::string says, const Parts&, Reading in_view,
+                 const Read&);
+  const LettersAtSamples& letters_of(std::unique_ptr<const AnySamples>);
 
   std::string exercise_;
   std::vector<Claim> claims_;
   std::vector<std::string> differences_;
-  template <class Sample>
-  static constexpr char type_of = 0;  ///< its address names the type
-  std::map<std::pair<const void*, const void*>, std::shared_ptr<void>> letters_;
+  std::map<std::pair<const void*, const void*>, std::unique_ptr<const LettersAtSamples>> letters_;
 };
 
 }  // namespace oddity

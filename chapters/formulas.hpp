@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <iterator>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -121,203 +121,202 @@ void see(WorstSample& worst, const Left& left, const Right& right, const std::ar
             std::max(size_of_terms(left, letters), size_of_terms(right, letters)), where);
 }
 
-/// The typeset letters' values at samples, and there with each of the sample's own letters a little changed.
-/// Each is computed once, as the texts of a table's claims and their changes need them all.
-template <class Sample>
-class LettersAtSamples {
- public:
-  explicit LettersAtSamples(const std::vector<Sample>& samples) : all_(samples.size()), samples_(samples) {}
+// ---- samples of any type ----------------------------------------------------------------------------------
 
-  const std::vector<Sample>& samples() const { return samples_; }
-  /// Whether these are the samples, by all letters that are known.
-  bool are_of(const std::vector<Sample>& samples) const {
-    bool are = all_.size() == samples.size();
-    if constexpr (Typeset<Sample>)
-      for (std::size_t i = 0; are && i < all_.size(); ++i) {
-        if (all_[i].empty() || all_[i][0].empty()) continue;
-        const TypesetLetters letters = typeset_of(samples[i]);
-        are = (!names_ || names_->empty() || names_of(letters) == *names_) &&
-              std::ranges::equal(values_of(letters), all_[i][0], {}, &formula::Matrix<double>::entries,
-                                 &formula::Matrix<double>::entries);
-      }
-    return are;
-  }
-  const TypesetFormula::Values& at(std::size_t i) const { return of(i, 0); }
-  std::size_t count(std::size_t i) const {
+/// Samples by their numbers, for code that is the same for all types of samples and is compiled once.
+class AnySamples {
+ public:
+  virtual ~AnySamples() = default;
+  virtual const void* type() const = 0;  ///< equal for the same type
+  virtual const void* address() const = 0;
+  virtual std::size_t count() const = 0;
+  virtual std::string where(std::size_t i) const = 0;
+  virtual bool is_typeset() const = 0;
+  virtual bool is_lettered() const = 0;
+  /// The number of independent letters.
+  virtual std::size_t letters(std::size_t i) const = 0;
+  /// The letters on a page, with the independent letter `changed` a little changed; 0 for none, 1 for the
+  /// first.
+  virtual TypesetLetters typeset(std::size_t i, std::size_t changed) const = 0;
+  virtual std::optional<double> size(std::size_t i) const = 0;
+  virtual double conditioning(std::size_t i) const = 0;
+  /// The sample's own for terms of this size.
+  virtual std::optional<Tolerance> tolerance(std::size_t i, double size) const = 0;
+};
+
+template <class Sample>
+class SamplesOf final : public AnySamples {
+ public:
+  explicit SamplesOf(const std::vector<Sample>& samples) : samples_(samples) {}
+
+  const void* type() const override { return &type_; }
+  const void* address() const override { return &samples_; }
+  std::size_t count() const override { return samples_.size(); }
+  std::string where(std::size_t i) const override { return where_of(samples_[i]); }
+  bool is_typeset() const override { return Typeset<Sample>; }
+  bool is_lettered() const override { return Lettered<Sample>; }
+  std::size_t letters(std::size_t i) const override {
     if constexpr (Lettered<Sample>) {
       Sample sample = samples_[i];
       return oddity::letters_of(sample).size();
-    } else {
-      return 0;
     }
+    return 0;
   }
-  const TypesetFormula::Values& moved(std::size_t i, std::size_t letter) const { return of(i, letter + 1); }
-  /// Names of the letters; empty if they differ between samples.
-  const formula::Names& names() const {
-    if constexpr (Typeset<Sample>)
-      if (!names_ && !samples_.empty()) {
-        names_ = names_of(typeset_of(samples_[0]));
-        const auto is_same = [&](const Sample& s) {
-          return std::ranges::equal(typeset_of(s), *names_, {}, &TypesetLetters::value_type::first);
-        };
-        if (!std::ranges::all_of(samples_, is_same)) names_.emplace();
-      }
-    return names_ ? *names_ : names_.emplace();
+  TypesetLetters typeset(std::size_t i, std::size_t changed) const override {
+    if constexpr (Typeset<Sample>) {
+      if constexpr (Lettered<Sample>)
+        if (changed > 0) {
+          Sample sample = samples_[i];
+          *oddity::letters_of(sample)[changed - 1] *= 1 + small_change;
+          return typeset_of(sample);
+        }
+      return typeset_of(samples_[i]);
+    }
+    return {};
+  }
+  std::optional<double> size(std::size_t i) const override {
+    if constexpr (requires { samples_[i].size(); }) return samples_[i].size();
+    return {};
+  }
+  double conditioning(std::size_t i) const override {
+    if constexpr (requires { samples_[i].conditioning(); }) return samples_[i].conditioning();
+    return 1;
+  }
+  std::optional<Tolerance> tolerance(std::size_t i, double size) const override {
+    if constexpr (requires { Sample::whole; })
+      return exact();
+    else if constexpr (requires { samples_[i].tolerance(size); })
+      return samples_[i].tolerance(size);
+    return {};
   }
 
  private:
-  const TypesetFormula::Values& of(std::size_t i, std::size_t which) const {
-    auto& known = all_[i];
-    if (known.empty()) known.resize(count(i) + 1);
-    if constexpr (Typeset<Sample>)
-      if (known[which].empty()) known[which] = values_of(typeset_of(changed(samples_[i], which)));
-    return known[which];
-  }
-  static Sample changed(Sample sample, std::size_t which) {
-    if constexpr (Lettered<Sample>)
-      if (which > 0) *oddity::letters_of(sample)[which - 1] *= 1 + small_change;
-    return sample;
-  }
-
-  mutable std::vector<std::vector<TypesetFormula::Values>> all_;
-  mutable std::optional<formula::Names> names_ = {};
+  static constexpr char type_ = 0;  ///< its address names the type
   const std::vector<Sample>& samples_;
 };
 
-/// A formula's values and the sizes of its terms at some samples, each computed once.
-template <class Sample>
-class AtSamples {
+/// The code of a formula at samples.
+class AnyCode {
  public:
-  AtSamples(Formula<Sample> formula, const std::vector<Sample>& samples)
-      : formula_(std::move(formula)), samples_(samples) {}
-  /// By sides in the letters of the first sample.
-  AtSamples(std::string text, std::vector<formula::Tree> sides, const LettersAtSamples<Sample>& letters)
-      : formula_{std::move(text)},
-        samples_(letters.samples()),
-        letters_(&letters),
-        sides_(std::move(sides)) {}
-
-  const std::string& text() const { return formula_.text; }
-  const std::vector<Sample>& samples() const { return samples_; }
-
-  const Value& value(std::size_t i) const {
-    while (values_.size() <= i) values_.push_back(value_at(values_.size()));
-    return values_[i];
-  }
-  /// By the sample's letters.
-  double size(std::size_t i) const {
-    while (sizes_.size() <= i) sizes_.push_back(size_at(sizes_.size()));
-    return sizes_[i];
-  }
+  virtual ~AnyCode() = default;
+  virtual Value value(std::size_t i) const = 0;
   /// Size of the terms that cancel for any letters.
-  double terms(std::size_t i) const {
-    if (letters_) return TypesetFormula::cancelling(sides_, letters_->at(i));
-    return formula_.terms ? formula_.terms(samples_[i]) : 0;
+  virtual double terms(std::size_t i) const = 0;
+  /// Size of the terms, from the independent letters.
+  virtual double size(std::size_t i, const Value& value) const = 0;
+};
+
+template <class Sample>
+class CodeOf final : public AnyCode {
+ public:
+  CodeOf(const Formula<Sample>& formula, const std::vector<Sample>& samples)
+      : formula_(formula), samples_(samples) {}
+
+  Value value(std::size_t i) const override { return formula_.of(samples_[i]); }
+  double terms(std::size_t i) const override { return formula_.terms ? formula_.terms(samples_[i]) : 0; }
+  double size(std::size_t i, const Value& value) const override {
+    if constexpr (Lettered<Sample>) return size_of_terms(formula_, samples_[i], value);
+    return size_of(value) + terms(i);
   }
 
  private:
-  Value value_at(std::size_t i) const {
-    return letters_ ? TypesetFormula::value(sides_, letters_->at(i)) : formula_.of(samples_[i]);
-  }
-  double size_at(std::size_t i) const {
-    if (!letters_) return size_of_terms(formula_, samples_[i], value(i));
-    double size = size_of(value(i)) + terms(i);
-    const TypesetFormula::Values& here = letters_->at(i);
-    const std::vector<bool> used = TypesetFormula::used(sides_, here.size());
-    const std::size_t count = letters_->count(i);
-    for (std::size_t k = 0; k < count; ++k) {
-      const TypesetFormula::Values& moved = letters_->moved(i, k);
-      bool is_moved = false;
-      for (std::size_t j = 0; j < here.size() && !is_moved; ++j)
-        is_moved = used[j] && moved[j].entries != here[j].entries;
-      if (is_moved) size += distance(TypesetFormula::value(sides_, moved), value(i)) / small_change;
-    }
-    return size;
-  }
-
-  Formula<Sample> formula_;
+  const Formula<Sample>& formula_;
   const std::vector<Sample>& samples_;
-  const LettersAtSamples<Sample>* letters_ = nullptr;
+};
+
+/// A formula at samples of any type: its text, and its code unless it is a text alone.
+struct AnyFormula {
+  std::string text;
+  std::shared_ptr<const AnyCode> code = nullptr;
+
+  bool is_text() const { return !code && !text.empty(); }
+  bool is_missing() const { return !code && text.empty(); }
+};
+/// Refers to the formula and the samples.
+template <class Sample>
+AnyFormula any_formula(const Formula<Sample>& formula, const std::vector<Sample>& samples) {
+  AnyFormula any{formula.text};
+  if (formula.of) any.code = std::unique_ptr<const AnyCode>(new CodeOf<Sample>(formula, samples));
+  return any;
+}
+
+/// The typeset letters' values at samples, and there with each of the sample's own letters a little changed.
+/// Each is computed once, as the texts of a table's claims and their changes need them all.
+class LettersAtSamples {
+ public:
+  explicit LettersAtSamples(std::unique_ptr<const AnySamples>);
+
+  const AnySamples& samples() const { return *samples_; }
+  /// Whether these are the samples, by all letters that are known.
+  bool are_of(const AnySamples&) const;
+  const TypesetFormula::Values& at(std::size_t i) const { return of(i, 0); }
+  std::size_t count(std::size_t i) const { return samples_->letters(i); }
+  const TypesetFormula::Values& moved(std::size_t i, std::size_t letter) const { return of(i, letter + 1); }
+  /// Names of the letters; empty if they differ between samples.
+  const formula::Names& names() const;
+
+ private:
+  const TypesetFormula::Values& of(std::size_t i, std::size_t which) const;
+
+  std::unique_ptr<const AnySamples> samples_;
+  mutable std::vector<std::vector<TypesetFormula::Values>> all_;
+  mutable std::optional<formula::Names> names_ = {};
+};
+
+/// A formula's values and the sizes of its terms at some samples, each computed once.
+class AtSamples {
+ public:
+  /// Throws std::logic_error for a text alone if the samples have no typeset letters.
+  AtSamples(AnyFormula, const AnySamples&);
+  /// By sides in the letters of the first sample.
+  AtSamples(std::string text, std::vector<formula::Tree> sides, const LettersAtSamples&);
+
+  const std::string& text() const { return text_; }
+  const AnySamples& samples() const { return samples_; }
+  const Value& value(std::size_t i) const;
+  /// By the sample's letters.
+  double size(std::size_t i) const;
+  /// Size of the terms that cancel for any letters.
+  double terms(std::size_t i) const;
+
+ private:
+  const AnyCode& code() const;
+  double size_at(std::size_t i) const;
+
+  std::string text_;
+  const AnySamples& samples_;
+  std::shared_ptr<const AnyCode> code_ = nullptr;
+  const LettersAtSamples* letters_ = nullptr;
   std::vector<formula::Tree> sides_ = {};
-  mutable std::vector<Value> values_;
-  mutable std::vector<double> sizes_;
+  mutable std::vector<std::optional<Value>> values_;
+  mutable std::vector<std::optional<double>> sizes_;
 };
 
 /// The formula at the samples, whose typeset letters are `letters`. Names of letters may differ between
 /// samples; then a text is read for each.
-template <class Sample>
-AtSamples<Sample> at_samples(const Formula<Sample>& formula, const LettersAtSamples<Sample>& letters) {
-  if (is_text(formula))
-    if (const formula::Names& names = letters.names(); !names.empty())
-      return {formula.text, TypesetFormula(formula.text).sides(names), letters};
-  return {computed(formula), letters.samples()};
-}
+AtSamples at_samples(const AnyFormula&, const LettersAtSamples& letters);
 
-/// Compares two formulas over the first samples and keeps the worst. A single number is compared with each of
-/// several. If one side is zero throughout, the scale is the sample's size(), if it has one. Otherwise it is
-/// the size of the terms, found from the sample's letters(). Without letters() it is the largest value, times
-/// the sample's conditioning() if it has one.
-template <class Sample>
-Check compare(std::string quantity, const AtSamples<Sample>& left, const AtSamples<Sample>& right,
-              std::size_t count) {
-  const std::vector<Sample>& samples = right.samples();
-  std::vector<Value> lefts, rights;
-  double largest = 0;
-  bool left_is_zero = true, right_is_zero = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    lefts.push_back(left.value(i));
-    rights.push_back(right.value(i));
-    in_a_row(lefts.back(), rights.back());
-    for (const Value* value : {&lefts.back(), &rights.back()})
-      if (finite(*value)) largest = std::max(largest, size_of(*value));
-    left_is_zero = left_is_zero && size_of(lefts.back()) == 0;
-    right_is_zero = right_is_zero && size_of(rights.back()) == 0;
-  }
-  const bool with_zero = left_is_zero || right_is_zero;
-  const auto size = [&](std::size_t i) {
-    const Sample& sample = samples[i];
-    if constexpr (requires { sample.size(); })
-      if (with_zero) return sample.size();
-    if constexpr (Lettered<Sample>) return std::max(left.size(i), right.size(i));
-    const double given = std::max(left.terms(i), right.terms(i));
-    if constexpr (requires { sample.conditioning(); })
-      return given + largest * sample.conditioning();
-    else
-      return given + largest;
-  };
-  WorstSample worst(std::move(quantity), left.text(), right.text());
-  for (std::size_t i = 0; i < count; ++i)
-    if constexpr (requires { Sample::whole; })
-      worst.add(lefts[i], rights[i], exact(), size(i), where_of(samples[i]));
-    else if constexpr (requires(double terms) { samples[i].tolerance(terms); })
-      worst.add(lefts[i], rights[i], samples[i].tolerance(size(i)), size(i), where_of(samples[i]));
-    else
-      worst.add(lefts[i], rights[i], size(i), where_of(samples[i]));
-  return worst.check();
-}
+/// Compares two formulas over the samples of these numbers and keeps the worst. A single number is compared
+/// with each of several. If one side is zero throughout, the scale is the sample's size(), if it has one.
+/// Otherwise it is the size of the terms, found from the sample's letters(). Without letters() it is the
+/// largest value, times the sample's conditioning() if it has one.
+Check compare(std::string quantity, const AtSamples& left, const AtSamples& right,
+              const std::vector<std::size_t>& numbers);
 /// Over all samples.
-template <class Sample>
-Check compare(std::string quantity, const AtSamples<Sample>& left, const AtSamples<Sample>& right) {
-  return compare(std::move(quantity), left, right, right.samples().size());
-}
+Check compare(std::string quantity, const AtSamples& left, const AtSamples& right);
 template <class Sample>
 Check compare(std::string quantity, const Formula<Sample>& left, const Formula<Sample>& right,
               const std::vector<Sample>& samples) {
-  return compare(std::move(quantity), AtSamples<Sample>(left, samples), AtSamples<Sample>(right, samples));
+  const SamplesOf<Sample> any(samples);
+  return compare(std::move(quantity), AtSamples(any_formula(left, samples), any),
+                 AtSamples(any_formula(right, samples), any));
 }
 
 /// Compares the formula's text with the values it computes.
+Typesetting compare_typeset(const AnyFormula&, const AnySamples&);
 template <class Sample>
 Typesetting compare_typeset(const Formula<Sample>& formula, const std::vector<Sample>& samples) {
-  if constexpr (Typeset<Sample>) {
-    constexpr std::size_t enough = 8;
-    std::vector<std::pair<TypesetLetters, Value>> computed;
-    for (std::size_t i = 0; i < std::min(enough, samples.size()); ++i)
-      if (const TypesetLetters letters = typeset_of(samples[i]); !letters.empty())
-        computed.emplace_back(letters, formula.of(samples[i]));
-    return compare_typeset(formula.text, computed);
-  }
-  return {};
+  return compare_typeset(any_formula(formula, samples), SamplesOf<Sample>(samples));
 }
 
 /// Cases that the author of a claim had in mind, in words, and whether a sample is one of them.
@@ -325,57 +324,35 @@ template <class Sample>
 struct InView {
   std::string text;  ///< "for $n\ge2$"
   std::function<bool(const Sample&)> is;
-
-  /// Throws std::logic_error if there are samples and none is such a case.
-  std::vector<Sample> of(const std::vector<Sample>& samples) const {
-    std::vector<Sample> seen;
-    std::ranges::copy_if(samples, std::back_inserter(seen), is);
-    if (seen.empty() && !samples.empty()) throw std::logic_error("no sample is a case '" + text + "'");
-    return seen;
-  }
 };
+/// Such cases of samples of any type, by their numbers.
+struct AnyInView {
+  std::string text;
+  std::vector<std::size_t> seen;
+};
+/// Throws std::logic_error if there are samples and none is such a case.
+template <class Sample>
+AnyInView any_in_view(const InView<Sample>& in_view, const std::vector<Sample>& samples) {
+  AnyInView any{in_view.text, {}};
+  if (!in_view.is) return any;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (in_view.is(samples[i])) any.seen.push_back(i);
+  if (any.seen.empty() && !samples.empty()) throw std::logic_error("no sample is a case '" + any.text + "'");
+  return any;
+}
 
 /// Single changes of a right formula, each as a near miss: the one that is hardest to detect, and all those
 /// that hold as well. `known` is the reason why some may hold; then these are only counted.
-template <class Sample>
-std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
-                                    const AtSamples<Sample>& truth, const LettersAtSamples<Sample>& letters,
-                                    const std::string& known, std::size_t exact = exact_ones) {
-  std::vector<Reading> readings;
-  if constexpr (Typeset<Sample>) {
-    constexpr std::size_t enough = 16;
-    const std::size_t some = std::min(enough, truth.samples().size());
-    std::vector<TypesetSample> typeset;
-    for (std::size_t i = 0; i < some; ++i)
-      typeset.push_back({typeset_of(truth.samples()[i]), truth.value(i)});
-    const Changes changes = changes_of(TypesetFormula(right.text), typeset, exact);
-    const std::size_t count = changes.hardest_first.size();
-    std::size_t holding = 0, beyond = 0;
-    for (const ChangedFormula& changed : changes.hardest_first) {
-      if (!readings.empty() && changed.roundings > clear) break;
-      if (changed.roundings > clear && ++beyond > exact)
-        return single_changes(quantity, right, truth, letters, known, std::string::npos);
-      const AtSamples<Sample> formula(
-          changed.change + ", the hardest to see of " + std::to_string(count) + " changes: " + changed.text(),
-          changed.sides, letters);
-      Reading reading{formula.text(), {compare(quantity, formula, truth, some)}};
-      if (reading.holds()) reading.checks = {compare(quantity, formula, truth)};
-      if (reading.holds() && !known.empty())
-        ++holding;
-      else if (reading.holds() || readings.empty() || readings.front().holds())
-        readings.push_back(std::move(reading));
-    }
-    if (holding > 0 && !readings.empty())
-      readings.front().text += "; " + std::to_string(holding) + " others hold: " + known;
-  }
-  return readings;
-}
+std::vector<Reading> single_changes(const std::string& quantity, const std::string& right,
+                                    const AtSamples& truth, const LettersAtSamples& letters,
+                                    const std::string& known, std::size_t exact = exact_ones);
 template <class Sample>
 std::vector<Reading> single_changes(const std::string& quantity, const Formula<Sample>& right,
                                     const Formula<Sample>& truth, const std::vector<Sample>& samples,
                                     const std::string& known) {
-  return single_changes(quantity, right, AtSamples<Sample>(truth, samples), LettersAtSamples<Sample>(samples),
-                        known);
+  const LettersAtSamples letters(std::make_unique<SamplesOf<Sample>>(samples));
+  return single_changes(quantity, right.text, AtSamples(any_formula(truth, samples), letters.samples()),
+                        letters, known);
 }
 
 }  // namespace oddity

@@ -104,6 +104,30 @@ Lemma off_at(const Expressions& printed, const Expressions& truth, const Value& 
           .tactic = "interval"};
 }
 
+bool RecordedClaim::is_itself() const {
+  return std::ranges::equal(right, truth, {}, &Expression::coq, &Expression::coq);
+}
+
+Provable provable(RecordedClaim claim, const SaidOfAll& all) {
+  in_a_row(claim.right, claim.truth);
+  Lemma equation{claim.reading.empty() ? "printed" : claim.reading, all.letters, all.given,
+                 equal(claim.right, claim.truth), all.tactic};
+  if (claim.reading.empty())
+    return {.claim = claim.id, .says = all.says, .lemmas = {std::move(equation)}, .preamble = all.preamble};
+  in_a_row(claim.printed_value, claim.truth_value);
+  Value difference = claim.printed_value;
+  for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= claim.truth_value[k];
+  in_a_row(claim.printed_there, claim.truth_there);
+  double margin = 0;
+  Lemma off = off_at(claim.printed_there, claim.truth_there, difference, margin);
+  off.tactic = all.bounds;
+  return {.claim = claim.id,
+          .says = "as " + claim.reading + " " + all.says + "; as printed it is off at an example",
+          .lemmas = {std::move(equation), std::move(off)},
+          .margin = margin,
+          .preamble = all.preamble};
+}
+
 std::string by_angles(const std::vector<std::string>& angles, const std::string& field) {
   std::string tactic, known;
   for (const std::string& angle : angles) {

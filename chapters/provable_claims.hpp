@@ -39,6 +39,30 @@ Expressions recorded_value(const X& x) {
   }
 }
 
+/// Code as a function of a sample. Without captured values it is a pointer, whose wrapper all such code
+/// shares.
+template <class F, class Sample>
+struct CodeWithoutValues {
+  static Value value(const Sample& s) { return F{}(s); }
+  static Expressions recorded(const Sample& s) { return recorded_value(F{}(s)); }
+};
+template <class F>
+concept WithoutValues = std::is_empty_v<F> && std::is_default_constructible_v<F>;
+template <class Sample, class F>
+std::function<Value(const Sample&)> valued(const F& f) {
+  if constexpr (WithoutValues<F>)
+    return &CodeWithoutValues<F, Sample>::value;
+  else
+    return f;
+}
+template <class Sample, class F>
+std::function<Expressions(const Sample&)> recording(const F& f) {
+  if constexpr (WithoutValues<F>)
+    return &CodeWithoutValues<F, Sample>::recorded;
+  else
+    return [f](const Sample& s) { return recorded_value(f(s)); };
+}
+
 /// Its letters, or its quantities().
 template <class Sample>
 auto letters_or_quantities(Sample& sample) {
@@ -69,9 +93,9 @@ struct ProvableFormula : Formula<Of<double>> {
   }
   template <class F>
   ProvableFormula(std::string written, const F& f, std::function<double(const Of<double>&)> size = {})
-      : Formula<Of<double>>{std::move(written), f, std::move(size)} {
+      : Formula<Of<double>>{std::move(written), detail::valued<Of<double>>(f), std::move(size)} {
     if constexpr (std::invocable<const F&, const Of<Shortened>&>)
-      recorded = [f](const Of<Shortened>& s) { return detail::recorded_value(f(s)); };
+      recorded = detail::recording<Of<Shortened>>(f);
   }
 };
 
@@ -146,6 +170,24 @@ inline constexpr const char* by_positive_terms =
 /// Tactic: replaces the squares of these angles' sines by cosines, then solves by `field` or `ring`.
 std::string by_angles(const std::vector<std::string>& angles, const std::string& field = "field");
 
+/// A claim with its formulas as expressions, in the letters, and at an example if it is not right as printed.
+struct RecordedClaim {
+  std::string id;
+  std::string reading;  ///< "meant" or "corrected"; empty if it is right as printed
+  Expressions right, truth;
+  Expressions printed_there = {}, truth_there = {};
+  Value printed_value = {}, truth_value = {};
+
+  bool is_itself() const;
+};
+/// Data of ForAll that do not depend on the sample.
+struct SaidOfAll {
+  const std::string& letters;
+  const std::vector<Proposition>& given;
+  const std::string &tactic, &says, &preamble, &bounds;
+};
+Provable provable(RecordedClaim, const SaidOfAll&);
+
 template <template <class> class Of>
 class ProvableClaims {
  public:
@@ -155,21 +197,16 @@ class ProvableClaims {
 
   void formula(std::string_view slug, int line, std::string says, const Samples& samples,
                const ProvableClaim<Of>& c) {
-    std::vector<Formula<Of<double>>> near(c.near_misses.begin(), c.near_misses.end());
-    claims_.formula<Of<double>>(slug, line, std::move(says), samples,
-                                {.quantity = c.quantity,
-                                 .truth = c.truth,
-                                 .other_routes = c.other_routes,
-                                 .printed = c.printed,
-                                 .meant = c.meant,
-                                 .corrected = c.corrected,
-                                 .in_view = c.in_view,
-                                 .near_misses = std::move(near),
-                                 .changes_that_hold = c.changes_that_hold,
-                                 .kind = c.kind,
-                                 .root = c.root,
-                                 .why = c.why});
-    stated_.emplace_back(slug, c);
+    claims_.formula(slug, line, std::move(says), samples, c);
+    const bool is_meant = !c.meant.text.empty(), is_wrong = is_meant || !c.corrected.text.empty();
+    stated_.push_back({std::string(slug),
+                       is_meant   ? "meant"
+                       : is_wrong ? "corrected"
+                                  : "",
+                       c.truth, c.printed,
+                       is_meant   ? c.meant
+                       : is_wrong ? c.corrected
+                                  : c.printed});
   }
   auto over(const Samples& samples) {
     return Over<ProvableClaims, Of<double>, ProvableFormula<Of>, ProvableClaim<Of>>{*this, samples};
@@ -177,38 +214,36 @@ class ProvableClaims {
 
   /// Proofs of all recorded claims that are not trivially x = x. `exercise`: "3.5".
   Provables proofs(const std::string& exercise, const ForAll<Of>& all) const {
+    const SaidOfAll said{all.letters, all.given, all.tactic, all.says, all.preamble, all.bounds};
     Provables proved;
-    for (const auto& [slug, claim] : stated_)
-      if (const std::string id = exercise + "-" + slug;
-          provable(claim) && !among(all.without, slug) && !is_itself(claim, all))
-        proved.push_back(!claim.meant.text.empty() || !claim.corrected.text.empty()
-                             ? of_wrong(id, claim, all)
-                             : of_right(id, claim, all));
-    for (Provable& one : proved) one.preamble = all.preamble;
+    for (const Stated& c : stated_) {
+      if (!c.truth.recorded || !c.printed.recorded || !c.right.recorded ||
+          std::ranges::find(all.without, c.slug) != all.without.end())
+        continue;
+      RecordedClaim recorded{exercise + "-" + c.slug, c.reading, c.right.recorded(all.any),
+                             c.truth.recorded(all.any)};
+      if (recorded.is_itself()) continue;
+      if (!c.reading.empty()) {
+        const Of<Shortened> example = in_expressions(all.example);
+        recorded.printed_there = c.printed.recorded(example);
+        recorded.truth_there = c.truth.recorded(example);
+        recorded.printed_value = value_at(c.printed, all.example);
+        recorded.truth_value = value_at(c.truth, all.example);
+      }
+      proved.push_back(provable(std::move(recorded), said));
+    }
     return proved;
   }
 
  private:
-  static bool among(const std::vector<std::string>& slugs, const std::string& slug) {
-    return std::ranges::find(slugs, slug) != slugs.end();
-  }
-  static const ProvableFormula<Of>& right(const ProvableClaim<Of>& c) {
-    return !c.meant.text.empty() ? c.meant : !c.corrected.text.empty() ? c.corrected : c.printed;
-  }
-  static bool provable(const ProvableClaim<Of>& c) {
-    return c.truth.recorded && c.printed.recorded && right(c).recorded;
-  }
-  static bool is_itself(const ProvableClaim<Of>& c, const ForAll<Of>& all) {
-    return std::ranges::equal(right(c).recorded(all.any), c.truth.recorded(all.any), {}, &Expression::coq,
-                              &Expression::coq);
-  }
-  static Lemma equation(std::string name, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
-    Expressions stated = right(c).recorded(all.any), truth = c.truth.recorded(all.any);
-    in_a_row(stated, truth);
-    return {std::move(name), all.letters, all.given, equal(stated, truth), all.tactic};
-  }
-  static Provable of_right(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
-    return {id, all.says, {equation("printed", c, all)}};
+  struct Stated {
+    std::string slug, reading;
+    ProvableFormula<Of> truth, printed, right;
+  };
+  static Value value_at(const Formula<Of<double>>& formula, const Of<double>& example) {
+    if (formula.of) return formula.of(example);
+    if constexpr (Typeset<Of<double>>) return TypesetFormula(formula.text)(typeset_of(example));
+    throw std::logic_error("'" + formula.text + "' is not computed, and its samples have no typeset letters");
   }
   static Of<Shortened> in_expressions(Of<double> example) {
     if constexpr (requires { example.recorded(); }) {
@@ -221,27 +256,9 @@ class ProvableClaims {
       return recorded;
     }
   }
-  static Provable of_wrong(const std::string& id, const ProvableClaim<Of>& c, const ForAll<Of>& all) {
-    const Of<double>& example = all.example;
-    const Of<Shortened> recorded = in_expressions(example);
-    const auto value = [&](const Formula<Of<double>>& formula) { return computed(formula).of(example); };
-    Value difference = value(c.printed), truth = value(c.truth);
-    in_a_row(difference, truth);
-    for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= truth[k];
-    Expressions stated = c.printed.recorded(recorded), is = c.truth.recorded(recorded);
-    in_a_row(stated, is);
-    double margin = 0;
-    Lemma off = off_at(stated, is, difference, margin);
-    off.tactic = all.bounds;
-    const std::string reading = !c.meant.text.empty() ? "meant" : "corrected";
-    return {id,
-            "as " + reading + " " + all.says + "; as printed it is off at an example",
-            {equation(reading, c, all), std::move(off)},
-            margin};
-  }
 
   Claims& claims_;
-  std::vector<std::pair<std::string, ProvableClaim<Of>>> stated_;
+  std::vector<Stated> stated_;
 };
 
 }  // namespace oddity

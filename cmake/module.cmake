@@ -133,7 +133,7 @@ file(CREATE_LINK ${TOML}/toml++ ${module}/include/toml++ SYMBOLIC)
 set(own_objects ${shared_objects})
 file(MAKE_DIRECTORY ${module}/own)
 foreach(file
-    chapters/claims chapters/compare_typeset chapters/near_misses chapters/typeset chapters/verdict
+    chapters/claims chapters/compare_typeset chapters/formulas chapters/near_misses chapters/typeset chapters/verdict
     formula/differentiate formula/evaluate formula/gauss formula/letters formula/mutants formula/name_writer formula/parse
     formula/print_plain formula/print_tex formula/print_unicode formula/shown formula/signs formula/tokens formula/tree
     formula/unreadable formula/writer problem/abbreviations problem/claims problem/code problem/expression problem/file problem/formula

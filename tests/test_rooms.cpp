@@ -138,7 +138,7 @@ TEST_CASE("a scene's sources do without the claims' headers, whose changes would
                                         "chapters/provable_claims.hpp"};
   // As CMakeLists.txt distinguishes claims and proofs from scenes.
   const std::regex claims_or_proofs(
-      "claims|coq_source|tactics|expression|meanings|proof|proofs|provable|[a-z]+_claims|[a-z]+_proofs|"
+      "claims|formulas|coq_source|tactics|expression|meanings|proof|proofs|provable|[a-z]+_claims|[a-z]+_proofs|"
       "typeset|compare_typeset|near_misses"),
       exercise("chapters/([0-9][0-9])_[^/]*/([0-9][0-9])_.*");
   int scenes = 0;
