@@ -1,5 +1,23 @@
 option(ODDITY_FAST_BUILD "Compile small files together and shared headers once: to build all, not to edit" OFF)
 
+# In a fast build, a library lists its objects where they are, and does not copy them.
+if(ODDITY_FAST_BUILD)
+  execute_process(COMMAND ${CMAKE_AR} --version OUTPUT_VARIABLE archiver ERROR_QUIET)
+  if(archiver MATCHES "^GNU ar")
+    set(CMAKE_CXX_ARCHIVE_CREATE "<CMAKE_AR> qc --thin <TARGET> <LINK_FLAGS> <OBJECTS>")
+  endif()
+endif()
+
+# In a fast build, links a program by lld if it is installed. Not for programs that compute: of several copies of an
+# inline function, lld may take one that is less optimized.
+function(link_fast target)
+  find_program(LLD ld.lld)
+  mark_as_advanced(LLD)
+  if(ODDITY_FAST_BUILD AND LLD AND NOT CMAKE_INTERPROCEDURAL_OPTIMIZATION)
+    target_link_options(${target} PRIVATE -fuse-ld=lld)
+  endif()
+endfunction()
+
 # In a fast build, compiles these headers of a target once.
 function(compile_headers_once target)
   if(ODDITY_FAST_BUILD)

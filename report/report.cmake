@@ -33,13 +33,14 @@ file(GLOB problem_texts RELATIVE ${PROJECT_SOURCE_DIR}/chapters/examples/problem
 embed(embedded_problems report/site/site.hpp ${PROJECT_SOURCE_DIR}/chapters/examples/problems "${problem_texts}" ON
   ${problem_paths})
 # The listings' models made of numbers that record, in so many files; none is compiled again where it stays as it is.
-set(recorder_parts 3)
+set(recorder_parts 6)
 set(recorders ${PROJECT_BINARY_DIR}/recorders.cpp)
 foreach(part RANGE 1 ${recorder_parts})
   list(APPEND recorders ${PROJECT_BINARY_DIR}/recorders_${part}.cpp)
 endforeach()
 add_executable(oddity_recorder report/recorded/write.cpp)
 target_link_libraries(oddity_recorder PRIVATE oddity_chapters)
+link_fast(oddity_recorder)
 set(own_recorder ${PROJECT_BINARY_DIR}/recorders_own.cpp)  # alone: no other object depends on a folder that may go
 add_custom_command(OUTPUT ${recorders} ${own_recorder}
   COMMAND oddity_recorder ${PROJECT_BINARY_DIR} ${recorder_parts} DEPENDS oddity_recorder VERBATIM)
