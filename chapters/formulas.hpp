@@ -17,8 +17,7 @@
 
 /// Formulas in the letters of samples, each written next to the code that computes it, or as its text alone,
 /// and their comparison over the samples. A sample is a struct of the exercise's letters:
-/// - table() -> Letters<double>             its independent letters (letters.hpp): changing each a little
-/// gives
+/// - table() -> Letters<double>             its independent letters (letters.hpp); small changes of each give
 ///                                          the size of a formula's terms
 /// - Sample(Random&)                        draws one, if the table() does not
 /// - letters() -> array of double*          without a table(): the independent letters
