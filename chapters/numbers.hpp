@@ -67,6 +67,13 @@ auto sum_over(const T& any, const std::array<std::array<double, columns>, rows>&
   return sum;
 }
 
+/// f(arguments), an array that depends on arguments and parameters alone. A printed program calls a function
+/// with this head: "friction(u, v, w)". Number types that record functions overload it.
+template <class T, std::size_t n, class F>
+auto as_function(const char* /*head*/, const std::array<T, n>& arguments, const F& f) {
+  return f(arguments);
+}
+
 template <class A, class B>
 auto dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -5,13 +5,21 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <regex>
+#include <stdexcept>
 
 namespace oddity::formula {
 
 namespace {
 
+/// Sums and products of two numbers have the same bits in either order.
+bool has_same_operands(const Operation& a, const Operation& b) {
+  const bool commutes = a.what == "+" || a.what == "*";
+  return a.of == b.of || (commutes && a.of[0] == b.of[1] && a.of[1] == b.of[0]);
+}
+
 bool is_same(const Operation& a, const Operation& b) {
-  return a.what == b.what && a.of == b.of && a.text == b.text &&
+  return a.what == b.what && has_same_operands(a, b) && a.text == b.text && a.component == b.component &&
          (a.what != "number" ||
           std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value));
 }
@@ -94,10 +102,11 @@ void Record::evaluate(std::size_t from, std::size_t to, const Letters& letters,
     std::vector<double> of;
     for (const int i : operation.of) of.push_back(values[static_cast<std::size_t>(i)]);
     const auto letter = letters.find(operation.text);
-    values[at] = operation.what == "sum"   ? sum(operation, letters, values)
-                 : !of.empty()             ? computed(operation.what, of)
-                 : letter != letters.end() ? letter->second
-                                           : operation.value;
+    values[at] = operation.what == "sum"    ? sum(operation, letters, values)
+                 : operation.what == "call" ? call(operation, letters, values)
+                 : !of.empty()              ? computed(operation.what, of)
+                 : letter != letters.end()  ? letter->second
+                                            : operation.value;
   }
 }
 
@@ -113,6 +122,21 @@ double Record::sum(const Operation& sum, Letters letters, std::vector<double> va
     all += values[term];
   }
   return all;
+}
+
+double Record::call(const Operation& call, Letters letters, std::vector<double> values) const {
+  const Function& function = *find_function(call.text);
+  for (std::size_t i = 0; i < function.arguments.size(); ++i)
+    letters[function.arguments[i]] = values[static_cast<std::size_t>(call.of[i])];
+  const auto first = std::ranges::find(operations_, function.arguments.front(), &Operation::text);
+  const auto result = static_cast<std::size_t>(function.results[call.component]);
+  evaluate(static_cast<std::size_t>(first - operations_.begin()), result + 1, letters, values);
+  return values[result];
+}
+
+const Function* Record::find_function(std::string_view name) const {
+  const auto found = std::ranges::find(functions_, name, &Function::name);
+  return found == functions_.end() ? nullptr : &*found;
 }
 
 Loop Record::loop_over(const Table& table) {
@@ -136,6 +160,40 @@ Recorded sum_of(Record& record, const Loop& loop, const Recorded& term) {
   Operation sum{"sum", {term.at()}, 0, loop.row};
   sum.value = record.sum(sum, {}, record.values({}));
   return {record, record.put(sum)};
+}
+
+std::string free_name(std::string name, std::set<std::string>& taken) {
+  while (!taken.insert(name).second) name += '_';
+  return name;
+}
+
+Record* record_of(std::span<const Recorded> numbers) {
+  for (const Recorded& one : numbers)
+    if (!one.is_known()) return one.record();
+  return nullptr;
+}
+
+Function function_of(const Record& record, std::string_view head) {
+  static const std::regex word(R"(\w+)");
+  const std::string text(head);
+  std::sregex_iterator found(text.begin(), text.end(), word);
+  Function function{found->str(), {}};
+  std::set<std::string> taken;
+  for (const Operation& operation : record.operations())
+    if (operation.what == "letter") taken.insert(operation.text);
+  while (++found != std::sregex_iterator()) function.arguments.push_back(free_name(found->str(), taken));
+  return function;
+}
+
+Recorded call_of(Record& record, const Function& function, std::span<const Recorded> arguments,
+                 std::size_t component, double value) {
+  Operation call{"call", {}, value, function.name, component};
+  for (const Recorded& one : arguments) call.of.push_back(one.in(record));
+  const double called = record.call(call, {}, record.values({}));
+  if (called != value && !(std::isnan(called) && std::isnan(value)))
+    throw std::logic_error("the function '" + function.name +
+                           "' depends on more than its arguments and the parameters");
+  return {record, record.put(call)};
 }
 
 int Record::put(Operation operation) {

@@ -5,21 +5,25 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// Numbers that record the operations on them, to be printed as a program (program.hpp).
 namespace oddity::formula {
 
 /// One operation: "+", "sin", "<", "select"; "letter", whose name is its text; "number"; "sum" of the term
-/// before it, over the rows of the loop that its text names.
+/// before it, over the rows of the loop that its text names. Also "call": its text names the function.
 struct Operation {
   std::string_view what;
   std::vector<int> of = {};  ///< the operations before it that it takes
   double value = 0;          ///< for the letters' values
   std::string text = {};
+  std::size_t component = 0;  ///< the result of a call
 };
 
 /// A loop over the rows of a table. The terms of its sums have the row's numbers as letters: "row[0]".
@@ -28,6 +32,13 @@ struct Loop {
   std::size_t table;
 };
 using Table = std::vector<std::vector<double>>;
+
+/// A function that is recorded once and called by operations after it.
+struct Function {
+  std::string name;
+  std::vector<std::string> arguments;  ///< letters, which nothing else has
+  std::vector<int> results = {};       ///< operations
+};
 
 /// Operations in their order, each that is repeated once.
 class Record {
@@ -39,11 +50,17 @@ class Record {
   Loop loop_over(const Table&);
   const std::vector<Loop>& loops() const { return loops_; }
   const std::vector<Table>& tables() const { return tables_; }
+  void add(Function function) { functions_.push_back(std::move(function)); }
+  /// Null if no function has this name.
+  const Function* find_function(std::string_view name) const;
+  /// In their order: each calls only those before it.
+  const std::vector<Function>& functions() const { return functions_; }
   const std::vector<Operation>& operations() const { return operations_; }
   /// Their values for other values of these letters.
   std::vector<double> values(const Letters&) const;
-  /// That of a sum, where those of all operations are known.
+  /// That of a sum or a call, where those of all operations are known.
   double sum(const Operation&, Letters, std::vector<double> values) const;
+  double call(const Operation&, Letters, std::vector<double> values) const;
   /// A condition was asked for its truth: other values of the letters may go another way.
   bool has_branched = false;
 
@@ -53,6 +70,7 @@ class Record {
   std::vector<Operation> operations_;
   std::vector<Loop> loops_;
   std::vector<Table> tables_;
+  std::vector<Function> functions_;
 };
 
 /// A condition: known, or an operation.
@@ -168,6 +186,38 @@ auto sum_over(const Recorded& any, const std::array<std::array<double, columns>,
   auto sum = term_of(row_letters(*any.record(), loop));
   for (Recorded& one : sum) one = sum_of(*any.record(), loop, one);
   return sum;
+}
+
+/// The name, with a suffix where it is taken. Takes it.
+std::string free_name(std::string name, std::set<std::string>& taken);
+
+/// The record of any of these numbers; null if all are known.
+Record* record_of(std::span<const Recorded>);
+/// The function with this head: "friction(u, v, w)". Its letters get suffixes where the record has them.
+Function function_of(const Record&, std::string_view head);
+/// A component of the function's results for these arguments, whose value must be the one given.
+Recorded call_of(Record&, const Function&, std::span<const Recorded> arguments, std::size_t component,
+                 double value);
+
+/// f(arguments) as calls of a function of the record.
+template <std::size_t n, class F>
+auto as_function(const char* head, const std::array<Recorded, n>& arguments, const F& f) {
+  Record* const record = record_of(arguments);
+  if (!record) return f(arguments);
+  Function function = function_of(*record, head);
+  if (!record->find_function(function.name)) {
+    std::array<Recorded, n> letters;
+    for (std::size_t i = 0; i < n; ++i)
+      letters[i] = Recorded::letter(*record, function.arguments.at(i), arguments[i].value());
+    for (const Recorded& result : f(letters)) function.results.push_back(result.in(*record));
+    record->add(function);
+  }
+  const Record before = *record;
+  auto results = f(arguments);
+  *record = before;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    results[i] = call_of(*record, *record->find_function(function.name), arguments, i, results[i].value());
+  return results;
 }
 
 }  // namespace oddity::formula
