@@ -2,11 +2,13 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <regex>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "chapters/03_rigid_body_motion/33_heavy_top/models.hpp"
 #include "chapters/listing.hpp"
@@ -14,6 +16,7 @@
 #include "chapters/scene.hpp"
 #include "formula/program.hpp"
 #include "report/pages/code.hpp"
+#include "report/pages/dialects.hpp"
 #include "report/pages/program_parts.hpp"
 #include "report/plain/runge_kutta_4.hpp"
 #include "report/study/frames.hpp"
@@ -213,6 +216,105 @@ TEST_CASE("a sum over a table is recorded as a loop", "[programs]") {
   CHECK(std::ranges::count_if(
             made.lines, [](const std::string& line) { return line.find("foreach (Row") != line.npos; }) == 2);
   CHECK(program.constants().size() == 2);
+}
+
+TEST_CASE("a part of a model that is called twice is printed once, as a function", "[programs]") {
+  using formula::Recorded;
+  constexpr std::array<std::array<double, 2>, 3> table{{{1, 2}, {3, 5}, {-4, 7}}};
+  const auto of = [&](const auto& a, const auto& x, const auto& y) {
+    using X = std::decay_t<decltype(x)>;
+    const auto pull = [&](const X& left, const X& right) {
+      return as_function("pull(a, b)", std::array<X, 2>{left, right}, [&](const std::array<X, 2>& at) {
+        return either(
+            at[0] > at[1],
+            [&] {
+              return sum_over(at[0], table, [&](const std::array<X, 2>& row) {
+                return std::array<X, 2>{row[0] * at[0] * (a * a * a + 1), sin(row[1] * at[1])};
+              });
+            },
+            [&] {
+              return std::array<X, 2>{at[0] + a, at[1]};
+            });
+      });
+    };
+    const std::array<X, 2> one = pull(x, y);
+    const std::array<X, 2> other = pull(X(2), one[0] * x);
+    return std::array<X, 2>{one[0] + other[1], one[1] * other[0]};
+  };
+  formula::Record record;
+  const auto a = Recorded::letter(record, "a", 3), x = Recorded::letter(record, "x[0]", 0.5),
+             y = Recorded::letter(record, "x[1]", -2);
+  const std::array<Recorded, 2> results = of(a, x, y);
+  const std::array<double, 2> now = of(3.0, 0.5, -2.0), later = of(1.0, -3.0, 0.25);
+  const auto later_values = record.values({{"a", 1}, {"x[0]", -3}, {"x[1]", 0.25}});
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(results[i].value() == now[i]);
+    CHECK(later_values[static_cast<std::size_t>(results[i].at())] == later[i]);
+    CHECK(of(Recorded(3), Recorded(0.5), Recorded(-2.0))[i].value() == now[i]);
+  }
+  CHECK(formula::letters_of(record, {{results.begin(), results.end()}}).contains("a"));
+
+  formula::Program program(record, {"x[0]", "x[1]"}, {{results.begin(), results.end()}}, {"a"});
+  CHECK(program.constants().empty());
+  const auto helpers = program.helpers();
+  REQUIRE(helpers.size() == 1);
+  CHECK(helpers[0].arguments == std::vector<std::string>{"a_", "b"});
+  CHECK(helpers[0].constants.size() == 3);
+  const auto text_of = [](const std::string& head, const std::string& type, const formula::Statements& made) {
+    std::string text = "static " + type + " " + head + " {\n";
+    for (const std::string& line : made.lines) text += line + "\n";
+    return text + "return new " + type + " {" + made.terms[0] + ", " + made.terms[1] + "};\n}\n";
+  };
+  std::string text = "static readonly double a = 1;\n";
+  for (const std::string& line : helpers[0].constants) text += line + "\n";
+  text += text_of("Pull(double a_, double b)", "Array2", helpers[0].body);
+  text += text_of("Observe(State x, double t)", "Seen", program.function({results.begin(), results.end()}));
+  const std::string code = Dialect{2, 2}.in(Language::cpp, text);
+  INFO(code);
+  static const std::regex call(R"(= pull\()");
+  CHECK(std::distance(std::sregex_iterator(code.begin(), code.end(), call), std::sregex_iterator()) == 2);
+  const ScratchFolder scratch;
+  const Runs runs = runs_of(Language::cpp, scratch.path().string());
+  std::ofstream(runs.file)
+      << "#include <array>\n#include <cmath>\n#include <cstdio>\n"
+      << code
+      << "int main() { for (double one : observe({-3, 0.25}, 0)) std::printf(\"%.17g\\n\", "
+         "one); }\n";
+  REQUIRE(output_of(runs.compile) == "");
+  std::istringstream printed(output_of(runs.run));
+  for (const double expected : later) {
+    double seen = 0;
+    printed >> seen;
+    CHECK(seen == expected);
+  }
+}
+
+TEST_CASE("a function of a record depends on its arguments and the parameters alone", "[programs]") {
+  using formula::Recorded;
+  formula::Record record;
+  const auto x = Recorded::letter(record, "x", 3), y = Recorded::letter(record, "y", 4);
+  const auto with = [&](const Recorded& hidden) {
+    return as_function("f(u)", std::array<Recorded, 1>{x}, [&](const std::array<Recorded, 1>& u) {
+      return std::array<Recorded, 1>{u[0] * hidden};
+    })[0];
+  };
+  CHECK(with(y).value() == 12);
+  CHECK(with(y).at() == with(y).at());
+  CHECK_THROWS_AS(with(x), std::logic_error);
+}
+
+TEST_CASE("friction is a separate function in the recipe of the rough box", "[code][programs]") {
+  Candidate chosen{"steps with a stick test", "explicit midpoint", "step"};
+  chosen.setting = 1 / frames_per_second;
+  for (const Language language : {Language::cpp, Language::c_sharp, Language::javascript}) {
+    const std::string code = program_in(language, Task(scene({3, 31})), chosen, need_of_a_second(), "");
+    INFO(code);
+    const auto helpers = helpers_in(code);
+    REQUIRE(helpers.size() == 1);
+    CHECK(helpers[0].name == (language == Language::c_sharp ? "Friction" : "friction"));
+    CHECK(helpers[0].lines == 42);
+    CHECK(lines_of_code(code) - helpers[0].lines <= 50 + 14);  // the second part prints
+  }
 }
 
 TEST_CASE("a motion that loses its numbers alone is another motion", "[programs]") {

@@ -44,10 +44,20 @@ std::string in_lower_case(const std::string& code) {
   return replaced(code, calls, [](const std::smatch& m) { return lower(m[1].str()) + "("; });
 }
 
+/// The code with its helpers' names in lower case: of the functions that return an Array3 or the like.
+std::string with_lower_helpers(std::string code) {
+  static const std::regex head(R"(static Array\d+ (\w+)\()");
+  std::vector<std::string> names;
+  replaced(code, head, [&](const std::smatch& m) { return names.emplace_back(m[1]); });
+  for (const std::string& name : names)
+    code = std::regex_replace(code, std::regex("\\b" + name + "\\("), lower(name) + "(");
+  return code;
+}
+
 std::string c_sharp(const std::string& code) {
   static const Changes changes{{std::regex(R"(\bcopy\((\w+)\))"), "(double[])$1.Clone()"},
                                {std::regex(R"(\bsize\((\w+)\))"), "$1.Length"},
-                               {std::regex(R"(\b(State|Half|Seen|Weights|Row)\b)"), "double[]"},
+                               {std::regex(R"(\b(State|Half|Seen|Weights|Row|Array\d+)\b)"), "double[]"},
                                {std::regex(R"(\bTable\d+\b)"), "double[][]"},
                                {std::regex(R"(\bTotal\b)"), "double"},
                                {std::regex(R"(\bPlaces\b)"), "int[]"}};
@@ -108,6 +118,7 @@ std::string cpp(const std::string& code) {
       {std::regex(R"(static readonly Places (\w+) =)"), "const std::size_t $1[] ="},
       {std::regex(R"(static readonly Weights (\w+) =)"), "const double $1[] ="},
       {std::regex(R"(new (\w+) \{)"), "$1{"},
+      {std::regex(R"(\bArray(\d+)\b)"), "std::array<double, $1>"},
       {std::regex(R"((static readonly |const |)\bdouble (\w+ =))"), "const double $2"},
       {std::regex(R"(static (State|Half|int|double|bool) ([^;(]*);)"), "$1 $2;"},
       {std::regex(R"(foreach \(var (\w+) in )"), "for (const std::size_t $1 : "},
@@ -129,14 +140,14 @@ std::string cpp(const std::string& code) {
 
 std::string Dialect::in(Language language, const std::string& code) const {
   if (language == Language::c_sharp) return c_sharp(code);
-  if (language == Language::javascript) return javascript(code);
+  if (language == Language::javascript) return javascript(with_lower_helpers(code));
   const auto array = [](const char* name, std::size_t n) {
     return "using " + std::string(name) + " = std::array<double, " + std::to_string(n) + ">;\n";
   };
   std::string arrays = array("Seen", observables);
   if (code.find("Half ") != code.npos) arrays = array("Half", unknowns / 2) + arrays;
   if (unknowns > 0) arrays = array("State", unknowns) + arrays;
-  return arrays + "\n" + cpp(code);
+  return arrays + "\n" + cpp(with_lower_helpers(code));
 }
 
 }  // namespace oddity

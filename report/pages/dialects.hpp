@@ -7,8 +7,8 @@
 
 namespace oddity {
 
-/// A program is put together in one dialect: C# with State, Half and Seen for its arrays, copy(x) and
-/// size(x).
+/// A program is put together in one dialect: C# with State, Half and Seen for its arrays, Array3 for three
+/// numbers, copy(x) and size(x).
 struct Dialect {
   std::size_t unknowns, observables;
 

@@ -12,6 +12,7 @@
 #include "formula/program.hpp"
 #include "reference/bad_input.hpp"
 #include "reference/text.hpp"
+#include "report/pages/code.hpp"
 #include "report/pages/code_text.hpp"
 #include "report/pages/dialects.hpp"
 #include "report/pages/program_parts.hpp"
@@ -133,6 +134,27 @@ std::string comment_of(const Listing& listing, std::string_view model) {
   return comment.empty() ? of_included : comment;
 }
 
+/// The comment on the member function in the listing's headers whose part is this helper.
+std::string comment_of_helper(const Listing& listing, const std::string& name) {
+  for (const EmbeddedFile& header : embedded_headers()) {
+    const auto at = header.text.find("as_function(\"" + name + "(");
+    if (at == header.text.npos || std::ranges::find(listing.headers, header.path) == listing.headers.end())
+      continue;
+    std::istringstream lines{std::string(header.text.substr(0, at))};
+    std::string comment;
+    bool goes_on = false;
+    for (std::string line; std::getline(lines, line);) {
+      const auto text = line.find("/// ");
+      const bool is_comment = text != line.npos && line.find_first_not_of(' ') == text;
+      if (is_comment && !goes_on) comment.clear();
+      goes_on = is_comment;
+      if (is_comment) comment += line.substr(text + 1) + "\n";
+    }
+    return comment;
+  }
+  return "";
+}
+
 /// With the orientation as further unknowns, where the algorithm's steps are those of all unknowns.
 void turn_along(RecordedModel& model, bool can_turn) {
   if (!can_turn) model.orientation.clear();
@@ -179,6 +201,26 @@ std::string stick_test_text(formula::Program& program, const RecordedModel& mode
          function_text("Coasted(State x, State r)", "State", program.function(model.coasted));
 }
 
+constexpr std::string_view helper_mark = "// Helper ";
+
+/// The helpers of a program, each with its constants and tables.
+std::string helpers_text(const Listing& listing, const std::vector<formula::Program::Helper>& helpers) {
+  std::string text;
+  for (const auto& [name, arguments, constants, body] : helpers) {
+    std::string head = name, parameters, letters;
+    head.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(head.front())));
+    for (const std::string& letter : arguments) {
+      letters += (letters.empty() ? "" : ", ") + letter;
+      parameters += (parameters.empty() ? "double " : ", double ") + letter;
+    }
+    text += "\n" + std::string(helper_mark) + head + "(" + letters + ")\n" + comment_of_helper(listing, name);
+    for (const std::string& line : constants) text += line + "\n";
+    text += function_text(head + "(" + parameters + ")", "Array" + std::to_string(body.terms.size()), body)
+                .substr(constants.empty() ? 1 : 0);
+  }
+  return text;
+}
+
 /// Declares the parameters among the letters; neighbors of one meaning together.
 std::string parameters_text(const Task& task, const std::set<std::string>& letters) {
   const std::vector<std::string> names = parameter_names(task);
@@ -209,7 +251,9 @@ std::string model_text(const Task& task, const RecordedModel& model, std::string
   }
   for (const std::string& parameter : parameter_names(task)) taken.insert(parameter);
   const auto& moves = by_forces ? model.acceleration : model.rates;
-  formula::Program program(*model.record, moving, {model.observed, moves, model.speed, model.braking}, taken);
+  formula::Program program(*model.record, moving, {model.observed, moves, model.speed, model.braking}, taken,
+                           {model.start, model.coasted});
+  const Listing& listing = task.entry->exercise.scene->listing;
   std::string constants, bodies;
   for (const std::string& line : program.constants()) constants += line + "\n";
   if (model.start.empty()) {
@@ -223,11 +267,12 @@ std::string model_text(const Task& task, const RecordedModel& model, std::string
              function_text("Observe(State x, double t)", "Seen", program.function(model.observed))
                  .substr(model.orientation.empty() ? 0 : 1);
   }
-  const std::string comment = comment_of(task.entry->exercise.scene->listing, name);
+  const std::string comment = comment_of(listing, name);
   if (!comment.empty()) bodies = "\n" + comment + bodies.substr(1);
   const std::string parameters = parameters_text(
       task, formula::letters_of(*model.record, {model.start, moves, model.observed, model.braking}));
-  const std::string text = parameters + (constants.empty() ? "" : "\n" + constants) + bodies;
+  const std::string text = parameters + (constants.empty() ? "" : "\n" + constants) +
+                           helpers_text(listing, program.helpers()) + bodies;
   return text.substr(text.find_first_not_of('\n'));
 }
 
@@ -311,6 +356,25 @@ void require_language(Language language, const Task& task, const Need& need) {
   if (language == Language::cpp) return;
   if (const std::string why = why_without_program(task, need, !need.in_double); !why.empty())
     refuse(language, why);
+}
+
+std::vector<PrintedHelper> helpers_in(const std::string& code) {
+  std::vector<PrintedHelper> all;
+  std::istringstream lines(code);
+  std::string end;  // the last line of the helper that is read; empty: of none
+  for (std::string line; std::getline(lines, line);) {
+    const auto at = line.find_first_not_of(' ');
+    if (at == line.npos) continue;
+    if (const std::string text = line.substr(at); text.starts_with(helper_mark)) {
+      const auto name = helper_mark.size();
+      all.push_back({text.substr(name, text.find('(') - name), 0});
+      end = std::string(at, ' ') + "}";
+    } else if (!end.empty()) {
+      all.back().lines += lines_of_code(line);
+      if (line == end) end.clear();
+    }
+  }
+  return all;
 }
 
 std::string program_in(Language language, const Task& task, const Candidate& chosen, const Need& need,

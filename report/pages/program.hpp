@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "report/study/choose.hpp"
 
@@ -18,5 +19,12 @@ void require_language(Language, const Task&, const Need&);
 
 /// Writes the program, headed by a comment about it. Throws BadInput with the reason if it cannot be written.
 std::string program_in(Language, const Task&, const Candidate&, const Need&, const std::string& about);
+
+/// A part of the model that a program has as a separate function. Its lines of code include its tables.
+struct PrintedHelper {
+  std::string name;
+  long lines;
+};
+std::vector<PrintedHelper> helpers_in(const std::string& program);
 
 }  // namespace oddity

@@ -384,15 +384,21 @@ std::string lines_in_xml(const std::string& code) {
   return text;
 }
 
-/// "54 lines of C++ that do it, and 13 that print it"; comments and blank lines are not counted.
+/// "54 lines of C++ that do it, a function friction of 40 lines, and 13 that print it"; comments and blank
+/// lines are not counted.
 std::string counted_lines(const std::string& code, Language language) {
   const std::string_view printing_part = program_parts::main_of(language).text;
   const std::string_view begins = printing_part.substr(1, printing_part.find_first_of("{$") - 1);
   const std::size_t main = std::min(code.find(begins), code.size());
-  const long own = lines_of_code(code.substr(0, main)), printing = lines_of_code(code.substr(main));
+  long own = lines_of_code(code.substr(0, main));
+  std::string of_helpers;
+  for (const PrintedHelper& helper : helpers_in(code)) {
+    own -= helper.lines;
+    of_helpers += ", a function " + helper.name + " of " + counted(helper.lines, "line", "lines");
+  }
   return counted(own, "line", "lines") + " of " +
-         std::string(language_names[static_cast<std::size_t>(language)]) + " that do it, and " +
-         std::to_string(printing) + " that print it";
+         std::string(language_names[static_cast<std::size_t>(language)]) + " that do it" + of_helpers +
+         ", and " + std::to_string(lines_of_code(code.substr(main))) + " that print it";
 }
 
 std::string code_in(Language language, const ExerciseResult& e, const CheapestModel& game) {

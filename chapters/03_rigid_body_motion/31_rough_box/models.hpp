@@ -24,6 +24,13 @@ struct Contact {
   /// the base's axes and rotates with w. Zero at rest.
   template <class X>
   Three<X> means(const X& u, const X& v, const X& w) const {
+    return as_function("friction(u, v, w)", Three<X>{u, v, w},
+                       [&](const Three<X>& moving) { return by_place(moving[0], moving[1], moving[2]); });
+  }
+
+  /// By points if c, the instantaneous center, is far outside the base; otherwise by corners.
+  template <class X>
+  Three<X> by_place(const X& u, const X& v, const X& w) const {
     const X slide = sqrt(u * u + v * v), turn = abs(w) * select(a < b, b, a);
     return either(
         slide + turn > X(1e-100),
@@ -36,9 +43,9 @@ struct Contact {
         });
   }
 
-  /// About the instantaneous center c the velocity is w k x (rho - c). By the divergence theorem, the
-  /// integrals of the distance r from c and of its gradient are those of r along the four edges. So they are
-  /// differences of primitives at the corners.
+  /// About c the velocity is w k x (rho - c). By the divergence theorem, the integrals of the distance r from
+  /// c and of its gradient are those of r along the four edges. So they are differences of primitives at the
+  /// corners.
   template <class X>
   Three<X> by_corners(const X& u, const X& v, const X& w) const {
     const X cx = -v / w, cy = u / w;
