@@ -39,11 +39,15 @@ for (const scene of scenes.filter((name) => name !== 'bouncing_ball'))
     const { page, faults } = await open(browser, `${scene}.html`, { reduced: true });
     const printed = await page.$$eval('pre.code[data-language]', (all) => all.map((code) => [code.dataset.language, code.textContent]));
     const { 'C++': cpp, JavaScript: js, 'C#': cs } = Object.fromEntries(printed);
+    const counted = await page.$$eval('.recipe summary', (all) => all.map((summary) => summary.textContent));
     const missing = await page.$$eval('.recipe .none', (all) => all.map((said) => said.textContent));
     await page.close();
     assert.deepEqual(faults, []);
     assert.ok(cpp, 'it has no C++');
     t.diagnostic(printed.map(([language, code]) => `${language} ${code.split('\n').length}`).join(', '));
+    const own = counted.map((text) => text.match(/^(\d+) lines? of .* that do it/)).filter(Boolean).map(([, n]) => Number(n));
+    assert.equal(own.length, printed.length);
+    assert.ok(own.every((n) => n <= 60), `more than 60 lines: ${own}`);
     if (!js || !cs) assert.match(missing.join(' '), /there is no code in .* for this choice: /);
     if (!js) return;
     const [names, ...expected] = by_cpp(scene, cpp), [same, ...got] = rows('node', file(`${scene}.js`, js));
