@@ -314,10 +314,11 @@ Json exact_models(const Trajectory& shown) {
   return names;
 }
 
-/// The module contains the listed models with Odeint's algorithms, and ours without series.
+/// The module contains the listed models with Odeint's algorithms, and ours without series or long tableaus.
 bool in_module(const Scene& scene, const Path& path) {
   const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
   return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") && !starts("Taylor ") &&
+         !starts("DOP853") && !starts("Verner ") &&
          (std::ranges::any_of(scene.listing.models,
                               [&](const auto& listed) {
                                 return listed.first == path.model ||
