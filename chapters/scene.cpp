@@ -253,7 +253,7 @@ double ModelInterfaceOf<n>::drift(std::span<const double> times, std::span<const
 template <std::size_t n>
 auto ModelInterfaceOf<n>::accurate_motion(std::span<const double> times) const -> ode::Trajectory<State> {
   long steps = 0;  // a model that chatters around rest would take millions
-  const auto enough = [&](double, const State&, double, const State&) { return ++steps > 20'000; };
+  const auto enough = [&](double, const State&, double, const State&) { return ++steps > 100'000; };
   constexpr std::string_view algorithm = "Dormand-Prince 5(4)";
   return ode::integrate_with_events<n>(algorithm, *this, start(), times, 1e-8, ode::Watch<n>(enough))
       .trajectory;
