@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <typeindex>
 
 #include "reference/truth.hpp"
@@ -29,8 +30,12 @@ class Motions {
     if (!path) path = make();
     return static_cast<typename decltype(make())::element_type&>(*path);
   }
-  /// Factor by which a motion may exceed the budget of an unwatched solution: a watcher can end it.
-  long allowance() const { return tick_ ? 50 : 1; }
+  /// Factor by which a motion may exceed the budget of an unwatched solution: a watcher can end it, and the
+  /// processor's own numbers take seconds for it.
+  long allowance() const {
+    constexpr bool is_quick = std::is_floating_point_v<Number>;
+    return tick_ || is_quick ? 50 : 1;
+  }
   /// Call it between pieces of work.
   void tick() const {
     if (tick_) tick_(done_);
