@@ -59,6 +59,7 @@
 #include "report/study/stability.hpp"
 #include "report/text/markup.hpp"
 #include "report/text/readable.hpp"
+#include "solvers/ode/catalog.hpp"
 
 namespace oddity {
 
@@ -314,11 +315,12 @@ Json exact_models(const Trajectory& shown) {
   return names;
 }
 
-/// The module contains the listed models with Odeint's algorithms, and ours without series or long tableaus.
+/// The module contains the listed models with the algorithms that run in the page.
 bool in_module(const Scene& scene, const Path& path) {
-  const auto starts = [&](std::string_view library) { return path.algorithm.starts_with(library); };
-  return !starts("GSL ") && !starts("CVODE ") && !starts("ARKODE ") && !starts("Taylor ") &&
-         !starts("DOP853") && !starts("Verner ") &&
+  return std::ranges::none_of(ode::catalog(),
+                              [&](const ode::CatalogEntry& entry) {
+                                return !entry.runs_in_page() && path.algorithm.starts_with(entry.name);
+                              }) &&
          (std::ranges::any_of(scene.listing.models,
                               [&](const auto& listed) {
                                 return listed.first == path.model ||

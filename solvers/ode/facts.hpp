@@ -21,6 +21,7 @@ struct Facts {
   int evaluations = 0;    ///< right-hand sides, or forces, per step; 0: it depends
   bool jacobian = false;  ///< takes a Jacobian, in each step or now and then
   bool history = false;   ///< uses several past steps
+  bool in_page = true;    ///< false: left out of the page's module, for the size of its code
   /// Its error estimate is zero for unknowns whose rates depend on time alone, whatever the tolerance.
   bool blind_to_time = false;
   /// The largest h |lambda| at which y' = lambda y does not grow, on the negative real and on the imaginary
@@ -28,6 +29,9 @@ struct Facts {
   /// damping.
   double real_limit = not_applicable, imaginary_limit = not_applicable;
   std::string_view theory = "no fixed step";  ///< source of the limits
+
+  /// The page's module has it: CMake finds these facts in the header.
+  constexpr bool runs_in_page() const { return in_page && (library == odeint || library == own); }
 };
 
 }  // namespace oddity::ode

@@ -83,7 +83,7 @@ class WithSeries final : public AnySystem<n> {
 struct Taylor {
   static constexpr std::string_view name = "Taylor series";
   static constexpr Kind kind = Kind::self_stepping;
-  static constexpr Facts facts{.library = "our own"};
+  static constexpr Facts facts{.library = Facts::own, .in_page = false};
   static constexpr double first_step = 1;  ///< not used: the series itself gives its step
   /// A system that keeps its series, which then gives the states inside a step.
   template <std::size_t n>
