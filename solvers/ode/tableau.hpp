@@ -10,6 +10,10 @@
 #include <iterator>
 #include <utility>
 
+#include "solvers/ode/controlled.hpp"
+#include "solvers/ode/facts.hpp"
+#include "solvers/ode/integrate.hpp"
+
 /// Embedded explicit Runge-Kutta methods, made of their tableaus for Odeint's step control.
 namespace oddity::ode::detail {
 
@@ -130,6 +134,23 @@ class EmbeddedRungeKutta
 
   static void end_of_step(const State& x, const Rates& k, double h, State& end) {
     for (std::size_t i = 0; i < x.size(); ++i) end[i] = x[i] + h * weighted<OfEnd<Tableau>>(k, i);
+  }
+};
+
+/// An algorithm by a tableau, under Odeint's step control.
+template <class Of>
+struct ByTableau {
+  using Tableau = Of;
+  static constexpr Kind kind = Kind::controlled;
+  static constexpr int order = Of::order;
+  static constexpr double first_step = 1e-3;  ///< fraction of the whole span
+  static constexpr auto success = boost::numeric::odeint::success;
+  /// The method without its step control.
+  template <class State>
+  using Plain = EmbeddedRungeKutta<Of, State>;
+  template <class State>
+  static auto stepper(double tolerance) {
+    return controlled<Plain<State>>(tolerance);
   }
 };
 
