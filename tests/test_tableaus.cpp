@@ -39,6 +39,14 @@ std::vector<Tree> rooted_trees(int most) {
   return all;
 }
 
+/// The weights of each stage.
+template <std::size_t stages>
+using Stages = std::array<oddity::ode::detail::Weights<stages>, stages>;
+template <class Tableau>
+constexpr auto stages_of() {
+  return std::to_array(Tableau::a);
+}
+
 /// Sums over a tableau for a tree, at each stage: the elementary weight, and the same of absolute values.
 template <std::size_t stages>
 struct Sums {
@@ -46,9 +54,8 @@ struct Sums {
   long double density;
 };
 
-template <class Tableau>
-auto sums_of(const std::vector<Tree>& trees) {
-  constexpr std::size_t stages = std::size(Tableau::a);
+template <std::size_t stages>
+std::vector<Sums<stages>> sums_of(const Stages<stages>& weights_of, const std::vector<Tree>& trees) {
   std::vector<Sums<stages>> all;
   for (const Tree& tree : trees) {
     Sums<stages> sums{{}, {}, static_cast<long double>(tree.order)};
@@ -59,7 +66,7 @@ auto sums_of(const std::vector<Tree>& trees) {
       for (std::size_t i = 0; i < stages; ++i) {
         long double weight = 0, absolute = 0;
         for (std::size_t j = 0; j < i; ++j) {
-          const long double a = Tableau::a[i][j];
+          const long double a = weights_of[i][j];
           weight += a * all[branch].weight[j];
           absolute += std::abs(a) * all[branch].absolute[j];
         }
@@ -72,12 +79,11 @@ auto sums_of(const std::vector<Tree>& trees) {
   return all;
 }
 
-/// The highest order up to which the weights meet every tree's condition. The tolerance is the rounding of
-/// the tableau's numbers, of which each term has as many as the tree has nodes.
-template <class Tableau>
-int order_of(const oddity::ode::detail::Weights<std::size(Tableau::a)>& weights) {
-  const auto trees = rooted_trees(Tableau::order + 1);
-  const auto sums = sums_of<Tableau>(trees);
+/// The highest order up to which the weights meet every tree's condition, as far as there are trees. The
+/// tolerance is the rounding of the tableau's numbers, of which each term has as many as the tree has nodes.
+template <std::size_t stages>
+int order_of(const oddity::ode::detail::Weights<stages>& weights, const std::vector<Sums<stages>>& sums,
+             const std::vector<Tree>& trees) {
   for (std::size_t tree = 0; tree < trees.size(); ++tree) {
     long double sum = 0, absolute = 0;
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -88,6 +94,20 @@ int order_of(const oddity::ode::detail::Weights<std::size(Tableau::a)>& weights)
     if (std::abs(sum - 1 / sums[tree].density) > rounding * absolute) return trees[tree].order - 1;
   }
   return trees.back().order;
+}
+
+/// Whether the weights of a stage add up to its time.
+template <std::size_t stages>
+bool add_up(const oddity::ode::detail::Weights<stages>& weights, double time) {
+  long double sum = 0, absolute = 0;
+  for (double weight : weights) sum += weight, absolute += std::abs(weight);
+  return std::abs(sum - time) <= std::numeric_limits<double>::epsilon() * absolute;
+}
+
+template <class Tableau>
+int order_of(const oddity::ode::detail::Weights<std::size(Tableau::a)>& weights) {
+  const auto trees = rooted_trees(Tableau::order + 1);
+  return order_of(weights, sums_of(stages_of<Tableau>(), trees), trees);
 }
 
 }  // namespace
@@ -101,11 +121,7 @@ TEST_CASE("there are as many rooted trees as Cayley counted", "[solvers]") {
 
 TEST_CASE("the weights of every stage add up to its time", "[solvers]") {
   const auto check = []<class Tableau>() {
-    for (std::size_t i = 0; i < Tableau::c.size(); ++i) {
-      long double sum = 0, absolute = 0;
-      for (double weight : Tableau::a[i]) sum += weight, absolute += std::abs(weight);
-      CHECK(std::abs(sum - Tableau::c[i]) <= std::numeric_limits<double>::epsilon() * absolute);
-    }
+    for (std::size_t i = 0; i < Tableau::c.size(); ++i) CHECK(add_up(Tableau::a[i], Tableau::c[i]));
   };
   check.operator()<DormandPrince853::Tableau>();
   check.operator()<Verner98::Tableau>();
@@ -121,12 +137,32 @@ TEST_CASE("weights meet the condition of every rooted tree up to their order, an
 }
 
 TEST_CASE("a wrong digit of any weight is found by the conditions", "[solvers]") {
-  const auto& b = Verner98::Tableau::b;
-  for (std::size_t j = 0; j < b.size(); ++j) {
-    auto wrong = b;
-    wrong[j] += 1e-12;
-    CHECK(order_of<Verner98::Tableau>(wrong) < 9);
-  }
+  const auto check = []<class Tableau>(const auto& lower, int lower_order) {
+    const auto trees = rooted_trees(Tableau::order);
+    const auto right = sums_of(stages_of<Tableau>(), trees);
+    const auto is_found = [&](const auto& b, const auto& embedded, const auto& sums) {
+      return order_of(b, sums, trees) < Tableau::order || order_of(embedded, sums, trees) < lower_order;
+    };
+    CHECK_FALSE(is_found(Tableau::b, lower, right));
+    for (std::size_t i = 0; i < right[0].weight.size(); ++i) {
+      auto wrong = Tableau::b;
+      wrong[i] += 1e-12;
+      CHECK(is_found(wrong, lower, right));
+      auto wrong_lower = lower;
+      wrong_lower[i] += 1e-12;
+      CHECK(is_found(Tableau::b, wrong_lower, right));
+      for (std::size_t j = 0; j < i; ++j) {
+        if (Tableau::a[i][j] == 0) continue;
+        auto stages = stages_of<Tableau>();
+        stages[i][j] += 1e-12;
+        INFO("stage " << i << ", weight " << j);
+        CHECK((!add_up(stages[i], Tableau::c[i]) || is_found(Tableau::b, lower, sums_of(stages, trees))));
+      }
+    }
+  };
+  using Dop = DormandPrince853::Tableau;
+  check.operator()<Dop>(oddity::ode::detail::difference(Dop::b, Dop::estimates[0]), 5);
+  check.operator()<Verner98::Tableau>(Verner98::Tableau::eighth_order, 8);
 }
 
 TEST_CASE("the error estimate of one step shrinks with the order of the method", "[solvers]") {
