@@ -1341,6 +1341,24 @@ TEST_CASE("the cost of the next setting is estimated from the work and time of t
   CHECK(near_ulps(tolerant.expected_evaluations(), 4 * std::sqrt(2), 64));  // at 0.00001
 }
 
+TEST_CASE("a long motion is computed in double, and in long double where that does not suffice", "[choose]") {
+  const Reference truth(std::string(ODDITY_SOURCE) + "/reference");
+  Need need = asked(0.01, 400, 60);
+  const auto truth_of = [&](const Task& task) {
+    return InitialConditions(task, need, truth).asked_and_nearby(0, [] {}).front().motion.reference.by;
+  };
+  const Task top(*std::ranges::find(registry(), Number{3, 33}, &Entry::number));
+  Task chain(*std::ranges::find(registry(), Number{3, 25}, &Entry::number));
+  chain.parameters.set("theta1", 2.5);
+  CHECK(truth_of(top).find("in double: ") != std::string::npos);
+  need.error = 1e-7;  // double's roundings are larger than a thousandth of it
+  CHECK(truth_of(top).find("in long double: ") != std::string::npos);
+  need.error = 0.01;
+  CHECK(truth_of(chain).find("in double: ") == std::string::npos);
+  need.horizon = 10;
+  CHECK(truth_of(top).find("in long double: ") != std::string::npos);
+}
+
 TEST_CASE("where long double loses a motion no method is refined far", "[choose]") {
   Task task(*std::ranges::find(registry(), Number{3, 25}, &Entry::number));
   task.parameters.set("theta1", 2.5);

@@ -64,7 +64,7 @@ Judged judge_at(const Start& start, const Candidate& c, const Need& need) {
 bool is_decided(double error, double known_to, bool on_whole, const Need& need) {
   if (error - known_to > 1) return true;
   return on_whole && error + known_to <= 1 &&
-         (known_to <= very_well || std::abs(error - 1 / need.margin()) > known_to);
+         (known_to <= known_very_well || std::abs(error - 1 / need.margin()) > known_to);
 }
 
 /// Takes a better reference where the one at hand does not decide.

@@ -193,7 +193,7 @@ Start InitialConditions::start(const Parameters& p) const {
   for (const int count : parts) {
     if (part_ && part_->was_known && count != parts.back()) continue;
     Start start = known_by(p, truth_.to_digits(digits_in_double), count);
-    if (start.motion.reference_error > very_well * start.motion.need.allowed) break;
+    if (start.motion.reference_error > known_very_well * start.motion.need.allowed) break;
     if (!start.is_whole) continue;
     if (!is_known_well(start.motion))
       start.sharper = std::make_shared<Lazy<Start>>([this, p] { return start_in_long_double(p); });
