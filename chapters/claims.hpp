@@ -103,8 +103,7 @@ struct StatementClaim {
   std::string why = {};
 };
 
-// ---- of samples of any type
-// --------------------------------------------------------------------------------
+// ---- of samples of any type -------------------------------------------------------------------------------
 
 struct AnyFormulaClaim {
   std::string quantity;

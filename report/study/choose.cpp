@@ -332,7 +332,8 @@ std::optional<PartCosts> costs_of(const Choice& choice, const std::optional<Part
   const Candidate& chosen = *choice.chosen;
   PartCosts costs{{chosen.model, chosen.algorithm}, cost(chosen, chosen.spread)};
   for (const Candidate& t : choice.candidates)
-    costs.all.emplace(PartCosts::Which{t.model, t.algorithm}, cost(t, -t.spread));
+    if (t.seconds_per_frame > 0 && t.evaluations_per_frame > 0)
+      costs.all.emplace(PartCosts::Which{t.model, t.algorithm}, cost(t, -t.spread));
   if (before) costs.all.insert(before->all.begin(), before->all.end());
   return costs;
 }

@@ -79,15 +79,21 @@ double Search::most_evaluations(const Ladder& ladder) const {
   return comparable_ ? most_tie * *comparable_ / cost_over_part(ladder).per_evaluation : unlimited;
 }
 
+/// The most work that any method is allowed, in evaluations per frame.
+double Search::most_work() const {
+  return starts_.are_beyond_double() ? policy.more_work * policy.first_work : unlimited;
+}
+
 /// The method chosen over a part comes first, as its cost limits the work on others.
 void Search::climb_chosen_over_part() {
   if (!costs_) return;
   const auto is_chosen = [&](const Ladder& ladder) {
     return PartCosts::Which(ladder.method().model, ladder.method().algorithm) == costs_->chosen;
   };
-  climb("trying the method chosen over a part", unlimited, is_chosen);
-  Ladder& chosen = *std::ranges::find_if(ladders_, is_chosen);
-  if (Candidate* t = chosen.found(need_).with_margin; t && picker_.meets_objective(*t)) {
+  const auto chosen = std::ranges::find_if(ladders_, is_chosen);
+  if (chosen == ladders_.end()) return;
+  climb("trying the method chosen over a part", most_work(), is_chosen);
+  if (Candidate* t = chosen->found(need_).with_margin; t && picker_.meets_objective(*t)) {
     clock_.time_all({t});
     comparable_ = t->seconds_per_frame;
   }
@@ -193,7 +199,7 @@ void Search::climb(const std::string& stage, double most_evaluations, const Whic
 /// Allows ever more work until something passes that meets the objective. Once anything passes, continues
 /// only ladders that may meet the objective.
 void Search::climb(const std::string& stage) {
-  const double most_of_all = starts_.are_beyond_double() ? policy.more_work * policy.first_work : unlimited;
+  const double most_of_all = most_work();
   const auto any = [&](const std::function<bool(const Candidate&)>& is) {
     return std::ranges::any_of(ladders_,
                                [&](const Ladder& l) { return std::ranges::any_of(l.candidates, is); });

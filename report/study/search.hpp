@@ -55,6 +55,7 @@ class Search {
   std::string names() const;
   PartCosts::Cost cost_over_part(const Ladder&) const;
   double most_evaluations(const Ladder&) const;
+  double most_work() const;
   void climb_chosen_over_part();
   bool readmit(const Picked&);
   void climb(const std::string& stage);
