@@ -30,7 +30,7 @@ struct Facts {
   double real_limit = not_applicable, imaginary_limit = not_applicable;
   std::string_view theory = "no fixed step";  ///< source of the limits
 
-  /// The page's module has it: CMake finds these facts in the header.
+  /// Whether the page's module includes it. CMake reads the same facts from the header.
   constexpr bool runs_in_page() const { return in_page && (library == odeint || library == own); }
 };
 
