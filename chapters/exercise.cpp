@@ -274,6 +274,8 @@ Outcome judge(const Quantity& quantity, const Answer& answer, double error, doub
     return is_another_motion(answer) ? Outcome::drifted : Outcome::inaccurate;
   if (!std::isfinite(error)) return Outcome::non_finite;
   const bool accurate = in_needs <= 1;
+  if (accurate && std::isnan(answer.error_estimate))
+    return is_another_motion(answer) ? Outcome::drifted : Outcome::ok;
   const double scale =
       largest(quantity.errors(Value(std::vector<double>(quantity.reference.value.size(), 0.0))));
   const double known_to = quantity.reference_error + 16 * epsilon * scale;
@@ -306,6 +308,25 @@ std::vector<std::string_view> Quantity::units() const {
   return all;
 }
 
+namespace {
+
+/// The distance of two points in some of their components.
+template <class Point>
+double distance_in(const std::vector<std::size_t>& components, const Point& x, const Point& y) {
+  const auto apart = [&](std::size_t i) {
+    return x[static_cast<std::ptrdiff_t>(i)] - y[static_cast<std::ptrdiff_t>(i)];
+  };
+  if (components.size() == 1) return std::abs(apart(components[0]));
+  double square = 0;
+  for (const std::size_t i : components) square += apart(i) * apart(i);
+  if (square > 1e-200 && square < 1e300) return std::sqrt(square);
+  double far = 0;  // squares may over- or underflow
+  for (const std::size_t i : components) far = std::hypot(far, apart(i));
+  return far;
+}
+
+}  // namespace
+
 std::vector<double> Quantity::errors(const Value& value, const Value& truth) const {
   if (norms.empty()) return {distance(value, truth)};
   const auto all = units();
@@ -313,13 +334,13 @@ std::vector<double> Quantity::errors(const Value& value, const Value& truth) con
   if (value.size() != truth.size() || parts == 0 || !finite(value) || !finite(truth))
     return std::vector<double>(all.size(), std::numeric_limits<double>::quiet_NaN());
   std::vector<double> errors(all.size(), 0);
-  for (std::size_t first = 0; first < truth.size(); first += parts)
-    for (const Norm& norm : norms) {
-      double far = 0;
-      for (std::size_t i : norm.components) far = std::hypot(far, value[first + i] - truth[first + i]);
-      double& error = errors[static_cast<std::size_t>(std::ranges::find(all, norm.unit) - all.begin())];
-      error = std::max(error, far);
-    }
+  const auto step = static_cast<std::ptrdiff_t>(parts);
+  for (const Norm& norm : norms) {
+    double& error = errors[static_cast<std::size_t>(std::ranges::find(all, norm.unit) - all.begin())];
+    auto at = value.begin(), true_at = truth.begin();
+    for (; true_at < truth.end(); at += step, true_at += step)
+      error = std::max(error, distance_in(norm.components, at, true_at));
+  }
   return errors;
 }
 

@@ -59,15 +59,16 @@ bool ModelInterfaceOf<n>::comes_back(std::string_view algorithm, std::span<const
   const std::vector<double> scale = moving(times.back());
   const double half = std::midpoint(times.front(), times.back());
   double most_before = 0, most_after = 0, least_after = std::numeric_limits<double>::infinity();
+  const auto stays = [&] { return most_after <= 1.25 * most_before; };
   const auto watch = [&](double, const State&, double t, const State& x) {
     const double change = oddity::drift(at_start, conserved(x, t), scale);
     double& most = t < half ? most_before : most_after;
     if (!(change <= most)) most = change;
     if (t >= half) least_after = std::min(least_after, change);
-    return false;
+    return !stays();
   };
   ode::integrate_with_events<n>(algorithm, *this, start(), times, setting, ode::Watch<n>(watch));
-  return most_after <= 1.25 * most_before && least_after <= most_after / 2;
+  return stays() && least_after <= most_after / 2;
 }
 
 namespace {

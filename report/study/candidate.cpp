@@ -88,7 +88,8 @@ std::vector<double> certain_errors_until(const Quantity& motion, const Value& pa
 
 /// The error as it would be if the motion's size did not bound it.
 double unbounded_error(const Judged& judged) {
-  if (!judged.by_start->parting || judged.off.error <= 1) return judged.off.error;
+  if (!judged.by_start->parting || judged.off.error <= 1 || !(**judged.by_start->parting).is_chaotic)
+    return judged.off.error;
   const std::vector<double> until = certain_errors_until(judged.by_start->motion, judged.trial.answer.value);
   return until.empty() ? judged.off.error
                        : std::max(judged.off.error, (**judged.by_start->parting).in_the_end(until));

@@ -72,11 +72,13 @@ PartCosts::Cost Search::cost_over_part(const Ladder& ladder) const {
   return found == costs_->all.end() ? PartCosts::Cost{} : found->second;
 }
 
-/// The most evaluations per frame to try a setting with. With more it could not tie with the pick, as the
-/// method chosen over a part can be picked here.
+/// The most evaluations per frame to try a setting with. The method chosen over a part can be picked here: a
+/// setting that costs more could not tie with it, or would not be cheaper if it may not be chosen.
 double Search::most_evaluations(const Ladder& ladder) const {
-  constexpr double most_tie = policy.near_tie * policy.noisy_tie;  // the cost is an estimate
-  return comparable_ ? most_tie * *comparable_ / cost_over_part(ladder).per_evaluation : unlimited;
+  if (!comparable_) return unlimited;
+  constexpr double estimate = policy.near_tie;
+  const double most = picker_.may_meet_objective(ladder) ? policy.noisy_tie : 1;
+  return estimate * most * *comparable_ / cost_over_part(ladder).per_evaluation;
 }
 
 /// The most work that any method is allowed, in evaluations per frame.
