@@ -64,7 +64,7 @@ Truth truth_03_03_orbit() {
           {"G", "M", "r0", "r0_dot", "theta0", "theta0_dot", "t"},
           {{"x", "AU"}, {"y", "AU"}},
           rows,
-          "Kepler's equation in universal variables, by bisection",
+          "Kepler's equation in universal variables",
           by_kepler,
           "Taylor series of the Cartesian equation of motion, whole periods left out",
           by_taylor,

@@ -55,7 +55,7 @@ Truth truth_03_27_two_bodies() {
           {"G", "m1", "m2", "r0", "r0_dot", "phi0", "phi0_dot", "t"},
           {{"x", "m"}, {"y", "m"}},
           rows,
-          "Kepler's equation in universal variables, by bisection",
+          "Kepler's equation in universal variables",
           by_kepler,
           "Taylor series of the two bodies in Cartesian coordinates",
           by_taylor,

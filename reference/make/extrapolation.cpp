@@ -25,6 +25,7 @@ Numbers modified_midpoint(const Rhs& rhs, const Numbers& x0, const Number& t, co
   Numbers before = x0, now = x0;
   move(now, h, rhs(x0, t));
   for (int k = 1; k < n; ++k) {
+    check_stop_at_times();
     move(before, 2 * h, rhs(now, Number(t + k * h)));
     swap(before, now);
   }
@@ -48,12 +49,15 @@ Number roundings(const Numbers& x) {
 
 /// One big step, extrapolated to zero substep (Aitken-Neville in h^2), until the change is within the
 /// tolerance or the roundings. Returns the column at which it settled; columns + 1 if it did not.
-int extrapolated_step(const Rhs& rhs, Numbers& x, const Number& t, const Number& big,
+/// count(n) is called before n right-hand sides.
+template <class Count>
+int extrapolated_step(const Rhs& rhs, const Count& count, Numbers& x, const Number& t, const Number& big,
                       const Number& tolerance) {
   const Number enough = std::max(tolerance, roundings(x));
   std::vector<Numbers> row;
   Numbers before;
   for (int k = 1; k <= columns; ++k) {
+    count(2 * k + 1);
     Numbers best = modified_midpoint(rhs, x, t, big, 2 * k);
     for (int j = 1; j < k; ++j) {
       const Number ratio = Number(k) / (k - j), less = ratio * ratio - 1;
@@ -97,19 +101,17 @@ struct Budget {
 Numbers advance(const Rhs& rhs, Numbers x, Number t0, const Number& t1, int digits, Budget& budget,
                 Number& big) {
   const Number tolerance = pow(Number(10), -digits - 3);
-  const Rhs counted = [&](const Numbers& y, const Number& t) {
-    if (++budget.spent > budget.all)
+  const auto count = [&](int evaluations) {
+    if ((budget.spent += evaluations) > budget.all)
       throw BudgetSpent(
           "extrapolation: the budget of " + std::to_string(budget.all) +
           " right-hand sides is spent at t = " + format_significant(static_cast<double>(t0), 6) + " of " +
           format_significant(static_cast<double>(t1), 6));
-    check_stop_at_times();
-    return rhs(y, t);
   };
   while (t0 != t1) {
     const bool last = abs(big) >= abs(Number(t1 - t0));
     const Number step = last ? Number(t1 - t0) : big;
-    const int settled_at = extrapolated_step(counted, x, t0, step, tolerance);
+    const int settled_at = extrapolated_step(rhs, count, x, t0, step, tolerance);
     if (settled_at <= columns) t0 = last ? t1 : Number(t0 + step);
     const Number next = next_step(step, settled_at);
     if (!last || settled_at > columns || abs(next) > abs(big)) big = next;

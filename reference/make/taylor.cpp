@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -13,17 +15,17 @@ namespace oddity::truth {
 
 namespace {
 
-/// The step allowed by the last quarter of the terms: fewer terms might all vanish, as for exp(t^5) about
-/// zero.
-Number length_of(const std::vector<Numbers>& series, int order, const Number& tolerance) {
-  double growth = 0;  // growth of the coefficients per order
+/// The step that the last quarter of the terms allows for a remainder of 10^-digits: fewer terms might all
+/// vanish, as for exp(t^5) about zero.
+Number length_of(const std::vector<Numbers>& series, int order, int digits) {
+  double growth = -std::numeric_limits<double>::infinity();  // log of the coefficients' growth per order
   for (int k = order - order / 4; k <= order; ++k) {
     Number largest = 0;
     for (const Numbers& one : series)
       largest = std::max<Number>(largest, abs(one[static_cast<std::size_t>(k)]));
-    if (largest > 0) growth = std::max(growth, static_cast<double>(exp(log(largest) / k)));
+    if (largest > 0) growth = std::max(growth, static_cast<double>(log(largest)) / k);
   }
-  return Number(0.9 * static_cast<double>(exp(log(tolerance) / order)) / growth);
+  return Number(0.9 * std::exp(-digits * std::numbers::ln10 / order - growth));
 }
 
 }  // namespace
@@ -33,8 +35,8 @@ TaylorProblem::Step TaylorProblem::step(const Numbers& x, const Number& t, const
   const int order = digits + digits / 4 + 4;
   recorded_.expand(x, t, order);
   Step step{t, 0, recorded_.series()};
-  step.length = length_of(step.series, order, pow(Number(10), -digits - 4));
-  if (step.length < abs(Number(t1 - t)) * pow(Number(10), -20))
+  step.length = length_of(step.series, order, digits + 4);
+  if (step.length < abs(Number(t1 - t)) * 1e-20)
     throw std::runtime_error("Taylor series: the step became too small");
   return step;
 }

@@ -327,7 +327,8 @@ bool a_part_decides(const Need& need) {
 std::optional<PartCosts> costs_of(const Choice& choice, const std::optional<PartCosts>& before) {
   if (!choice.chosen || !choice.by_objective || choice.need.thorough) return {};
   const auto cost = [](const Candidate& t, double spread) {
-    return PartCosts::Cost{t.seconds_per_frame + spread, t.seconds_per_frame / t.evaluations_per_frame};
+    return PartCosts::Cost{t.seconds_per_frame + spread, t.seconds_per_frame / t.evaluations_per_frame,
+                           t.spread / t.seconds_per_frame};
   };
   const Candidate& chosen = *choice.chosen;
   PartCosts costs{{chosen.model, chosen.algorithm}, cost(chosen, chosen.spread)};

@@ -13,6 +13,7 @@
 #include "report/study/frames.hpp"
 #include "report/study/kicks.hpp"
 #include "report/study/parallel.hpp"
+#include "report/study/policy.hpp"
 
 namespace oddity {
 
@@ -186,9 +187,9 @@ Start InitialConditions::known_by(const Parameters& p, const Reference& truth, i
 Start InitialConditions::start(const Parameters& p) const {
   if (need_.thorough || need_.criterion == Criterion::period) return well_known(p);
   const std::vector<int> parts = parts_of(need_);
-  if (parts.size() == 1 || std::ranges::any_of(criteria_of(need_), [](Criterion criterion) {
-        return criterion != Criterion::path;
-      }))
+  if (need_.frames() < policy.least_frames ||
+      std::ranges::any_of(criteria_of(need_),
+                          [](Criterion criterion) { return criterion != Criterion::path; }))
     return start_in_long_double(p);
   for (const int count : parts) {
     if (part_ && part_->was_known && count != parts.back()) continue;
@@ -383,10 +384,14 @@ std::vector<Start> InitialConditions::with_asked(const std::function<Start()>& a
         first = asked();
       if (draws == 0 && (i > 0 || asked)) after_each();
     });
-    if (first) all.push_back(std::move(*first));
+    if (first) {
+      parting_ = first->parting;
+      all.push_back(std::move(*first));
+    }
     missing = 0;
     for (auto& start : made) {
       if (!start) continue;
+      if (parting_) start->parting = parting_;
       if (is_comparable(*start)) {
         all.push_back(std::move(*start));
       } else {

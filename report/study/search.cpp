@@ -72,12 +72,20 @@ PartCosts::Cost Search::cost_over_part(const Ladder& ladder) const {
   return found == costs_->all.end() ? PartCosts::Cost{} : found->second;
 }
 
+/// The most that a setting may cost to tie with the pick, in times of its cost: less where the times over a
+/// part were steady.
+double Search::most_of_a_tie(const Ladder& ladder) const {
+  if (!costs_) return policy.noisy_tie;
+  const double apart = (1 + costs_->of_chosen.spread) / (1 - cost_over_part(ladder).spread);
+  return apart > 0 ? std::clamp(apart, policy.near_tie, policy.noisy_tie) : policy.noisy_tie;
+}
+
 /// The most evaluations per frame to try a setting with. The method chosen over a part can be picked here: a
 /// setting that costs more could not tie with it, or would not be cheaper if it may not be chosen.
 double Search::most_evaluations(const Ladder& ladder) const {
   if (!comparable_) return unlimited;
   constexpr double estimate = policy.near_tie;
-  const double most = picker_.may_meet_objective(ladder) ? policy.noisy_tie : 1;
+  const double most = picker_.may_meet_objective(ladder) ? most_of_a_tie(ladder) : 1;
   return estimate * most * *comparable_ / cost_over_part(ladder).per_evaluation;
 }
 
@@ -274,7 +282,7 @@ Picked Search::pick_cheapest() {
     const auto limit = [&](const Ladder& ladder) {
       if (!picked.chosen || (!picked.by_objective && picker_.may_meet_objective(ladder))) return need_.budget;
       const bool may_tie = picker_.may_meet_objective(ladder) == picked.by_objective;
-      return (may_tie ? policy.noisy_tie : 1) * picked.chosen->seconds_per_frame;
+      return (may_tie ? most_of_a_tie(ladder) : 1) * picked.chosen->seconds_per_frame;
     };
     if (starts_.are_beyond_double() || !climb_on(limit)) return picked;
   }

@@ -54,6 +54,7 @@ class Search {
 
   std::string names() const;
   PartCosts::Cost cost_over_part(const Ladder&) const;
+  double most_of_a_tie(const Ladder&) const;
   double most_evaluations(const Ladder&) const;
   double most_work() const;
   void climb_chosen_over_part();
