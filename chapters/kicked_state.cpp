@@ -1,11 +1,15 @@
 #include "chapters/kicked_state.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "solvers/linear.hpp"
 #include "solvers/ode/stability.hpp"
 
 namespace oddity {
@@ -31,49 +35,38 @@ Eigen::VectorXd seen_of(const ModelInterfaceOf<n>& model, const std::array<doubl
   return Eigen::Map<Eigen::VectorXd>(seen.data(), static_cast<Eigen::Index>(seen.size()));
 }
 
-/// How these change with the state.
-template <std::size_t n>
-Eigen::MatrixXd change_of_seen(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
+using Seen = std::function<Eigen::VectorXd(const Eigen::VectorXd& state)>;
+using Rhs = std::function<void(const double* x, double* dxdt, double t)>;
+
+/// How what is seen changes with the state.
+Eigen::MatrixXd change_of_seen(const Seen& seen, const Eigen::VectorXd& x) {
   constexpr double part = 1e-4;
-  Eigen::MatrixXd change(seen_of(model, x, t).size(), static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n; ++i) {
+  Eigen::MatrixXd change(seen(x).size(), x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
     const double h = part * std::max(1.0, std::abs(x[i]));
-    auto up = x, down = x;
+    Eigen::VectorXd up = x, down = x;
     up[i] += h;
     down[i] -= h;
-    change.col(static_cast<Eigen::Index>(i)) =
-        (seen_of(model, up, t) - seen_of(model, down, t)) / (up[i] - down[i]);
+    change.col(i) = (seen(up) - seen(down)) / (up[i] - down[i]);
   }
   return change;
 }
 
-auto decomposed(const Eigen::MatrixXd& change) {
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-  decomposition.setThreshold(1e-6);
-  decomposition.compute(change);
-  return decomposition;
-}
+constexpr double negligible = 1e-6;  // singular value, relative to the largest
 
 /// Whether every change of the state is seen, or never will be. A change that is not seen now is never seen
 /// if the change of its rates is not seen either.
-template <std::size_t n>
-bool is_determined(const ModelInterfaceOf<n>& model, const std::array<double, n>& x, double t) {
+bool is_determined(const Seen& seen, const Rhs& rhs, const Eigen::VectorXd& x, double t) {
   constexpr double rounding = 1e-5;  // relative error of derivatives by differences
-  constexpr auto size = static_cast<Eigen::Index>(n);
-  const Eigen::MatrixXd change = change_of_seen(model, x, t);
-  const auto decomposition = decomposed(change);
-  if (decomposition.rank() == size) return true;
-  const auto rhs = [&](const double* at, double* dxdt, double time) {
-    std::array<double, n> state{}, rate{};
-    std::copy_n(at, n, state.begin());
-    model(state, rate, time);
-    std::ranges::copy(rate, dxdt);
-  };
-  const std::vector<double> jacobian = ode::jacobian_at(rhs, x, t);
+  const Eigen::Index size = x.size();
+  const Eigen::MatrixXd change = change_of_seen(seen, x);
+  if (rank(change, negligible) == size) return true;
+  std::vector<double> jacobian =
+      ode::jacobian_at(rhs, std::span(x.data(), static_cast<std::size_t>(size)), t);  // row by row
   const Eigen::MatrixXd of_rates =
-      change * Eigen::Map<const Eigen::Matrix<double, size, size, Eigen::RowMajor>>(jacobian.data());
+      change * Eigen::Map<Eigen::MatrixXd>(jacobian.data(), size, size).transpose();
   const Eigen::MatrixXd unseen =
-      Eigen::MatrixXd::Identity(size, size) - decomposition.pseudoInverse() * change;
+      Eigen::MatrixXd::Identity(size, size) - pseudo_inverse(change, negligible) * change;
   return (of_rates * unseen).cwiseAbs().maxCoeff() <= rounding * of_rates.cwiseAbs().maxCoeff();
 }
 
@@ -90,21 +83,35 @@ Eigen::VectorXd wanted_after(Eigen::VectorXd seen, std::span<const Kick> at_once
 }
 
 /// The nearest state that Newton's method finds, by least changes.
-template <std::size_t n>
-std::array<double, n> approached(const ModelInterfaceOf<n>& model, std::array<double, n> x, double t,
-                                 const Eigen::VectorXd& wanted, double close) {
-  std::array<double, n> nearest = x;
+Eigen::VectorXd approached(const Seen& seen, Eigen::VectorXd x, const Eigen::VectorXd& wanted, double close) {
+  Eigen::VectorXd nearest = x;
   double least = std::numeric_limits<double>::infinity();
   for (int tries = 0; tries < 20; ++tries) {
-    const Eigen::VectorXd off = wanted - seen_of(model, x, t);
+    const Eigen::VectorXd off = wanted - seen(x);
     const double most = off.cwiseAbs().maxCoeff();
     if (!off.allFinite() || (least <= close && !(most < least))) break;
     if (most < least) nearest = x, least = most;
     if (most == 0) break;
-    const Eigen::VectorXd by = decomposed(change_of_seen(model, x, t)).solve(off);
-    for (std::size_t i = 0; i < n; ++i) x[i] += by[static_cast<Eigen::Index>(i)];
+    x += pseudo_inverse(change_of_seen(seen, x), negligible) * off;
   }
   return nearest;
+}
+
+struct Found {
+  Eigen::VectorXd state;
+  std::string_view why_none = {};
+};
+
+Found kicked(const Seen& seen, const Rhs& rhs, const Eigen::VectorXd& before, double t,
+             std::span<const Kick> at_once) {
+  const Eigen::VectorXd wanted = wanted_after(seen(before), at_once);
+  if (!wanted.allFinite()) return {before, not_seen_so};
+  if (!is_determined(seen, rhs, before, t)) return {before, is_undetermined};
+  const double close = 1e-10 * (1 + wanted.cwiseAbs().maxCoeff());
+  Found after{approached(seen, before, wanted, close)};
+  const Eigen::VectorXd off = wanted - seen(after.state);
+  if (!(off.cwiseAbs().maxCoeff() <= close)) after.why_none = not_seen_so;
+  return after;
 }
 
 }  // namespace
@@ -112,14 +119,20 @@ std::array<double, n> approached(const ModelInterfaceOf<n>& model, std::array<do
 template <std::size_t n>
 KickedState<n> kicked(const ModelInterfaceOf<n>& model, const std::array<double, n>& before, double t,
                       std::span<const Kick> at_once) {
-  const Eigen::VectorXd wanted = wanted_after(seen_of(model, before, t), at_once);
-  if (!wanted.allFinite()) return {before, not_seen_so};
-  if (!is_determined(model, before, t)) return {before, is_undetermined};
-  const double close = 1e-10 * (1 + wanted.cwiseAbs().maxCoeff());
-  KickedState<n> after{approached(model, before, t, wanted, close)};
-  const Eigen::VectorXd off = wanted - seen_of(model, after.state, t);
-  if (!(off.cwiseAbs().maxCoeff() <= close)) after.why_none = not_seen_so;
-  return after;
+  const auto state_of = [](const double* x) {
+    std::array<double, n> state{};
+    std::copy_n(x, n, state.begin());
+    return state;
+  };
+  const Seen seen = [&](const Eigen::VectorXd& x) { return seen_of(model, state_of(x.data()), t); };
+  const Rhs rhs = [&](const double* x, double* dxdt, double time) {
+    std::array<double, n> rate{};
+    model(state_of(x), rate, time);
+    std::ranges::copy(rate, dxdt);
+  };
+  const Eigen::Map<const Eigen::VectorXd> numbers(before.data(), static_cast<Eigen::Index>(n));
+  const Found after = kicked(seen, rhs, numbers, t, at_once);
+  return {state_of(after.state.data()), after.why_none};
 }
 
 #define ODDITY_KICKED(n, name)                                                                      \

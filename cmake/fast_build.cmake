@@ -18,9 +18,14 @@ function(link_fast target)
   endif()
 endfunction()
 
-# In a fast build, compiles these headers of a target once.
+# In a fast build, compiles these headers of a target once, or takes those compiled before: REUSE_FROM target.
 function(compile_headers_once target)
-  if(ODDITY_FAST_BUILD)
+  if(NOT ODDITY_FAST_BUILD)
+    return()
+  endif()
+  if(ARGV1 STREQUAL REUSE_FROM)
+    target_precompile_headers(${target} ${ARGN})
+  else()
     target_precompile_headers(${target} PRIVATE ${ARGN})
   endif()
 endfunction()

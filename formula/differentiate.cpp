@@ -17,19 +17,19 @@ Tree times(const Tree& a, const Tree& b) {
   return product({a, b}, "**");
 }
 Tree square(const Tree& x) { return made(Kind::power, {x, number("2")}); }
-Tree function(std::string name, const Tree& x) { return made(Kind::function, {x}, std::move(name)); }
+Tree applied(std::string name, const Tree& x) { return made(Kind::function, {x}, std::move(name)); }
 Tree one_plus(const Tree& x, char sign) { return sum({number("1"), x}, std::string("+") + sign); }
 Tree over(const Tree& a, const Tree& b) { return made(Kind::fraction, {a, b}); }
 
 /// Derivative of a function at x.
 Tree slope_of(const std::string& name, const Tree& x) {
-  if (name == R"(\sin)") return function(R"(\cos)", x);
-  if (name == R"(\cos)") return negative(function(R"(\sin)", x));
-  if (name == R"(\tan)") return one_plus(square(function(R"(\tan)", x)), '+');
-  if (name == R"(\sinh)") return function(R"(\cosh)", x);
-  if (name == R"(\cosh)") return function(R"(\sinh)", x);
-  if (name == R"(\tanh)") return one_plus(square(function(R"(\tanh)", x)), '-');
-  if (name == R"(\exp)") return function(R"(\exp)", x);
+  if (name == R"(\sin)") return applied(R"(\cos)", x);
+  if (name == R"(\cos)") return negative(applied(R"(\sin)", x));
+  if (name == R"(\tan)") return one_plus(square(applied(R"(\tan)", x)), '+');
+  if (name == R"(\sinh)") return applied(R"(\cosh)", x);
+  if (name == R"(\cosh)") return applied(R"(\sinh)", x);
+  if (name == R"(\tanh)") return one_plus(square(applied(R"(\tanh)", x)), '-');
+  if (name == R"(\exp)") return applied(R"(\exp)", x);
   if (name == R"(\ln)") return over(number("1"), x);
   if (name == R"(\arctan)") return over(number("1"), one_plus(square(x), '+'));
   if (name == R"(\artanh)") return over(number("1"), one_plus(square(x), '-'));
@@ -149,7 +149,7 @@ class Derivative {
       terms.push_back(product({exponent, power, *slope}, "***"));
     }
     if (const Maybe slope = of(exponent))
-      terms.push_back(product({x, function(R"(\ln)", base), *slope}, "***"));
+      terms.push_back(product({x, applied(R"(\ln)", base), *slope}, "***"));
     if (terms.empty()) return std::nullopt;
     const std::string marks(terms.size(), '+');
     return sum(std::move(terms), marks);

@@ -4,18 +4,20 @@
 #include <numeric>
 #include <utility>
 
+#include "formula/tokens.hpp"
+
 namespace oddity::formula {
 
 namespace {
 
 using Texts = std::vector<std::string>;
 
-bool is_digit(const std::string& token) { return token.size() == 1 && token[0] >= '0' && token[0] <= '9'; }
+bool is_one_digit(const std::string& token) { return token.size() == 1 && is_digit(token[0]); }
 
 /// Whether a plain-text name may contain c.
 bool is_in_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         c == '\'' || static_cast<unsigned char>(c) >= 0x80;
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_' || c == '\'' ||
+         static_cast<unsigned char>(c) >= 0x80;
 }
 
 Texts texts(const Tokens& tokens) {
@@ -63,10 +65,10 @@ class Comparison {
   bool index(const Texts& letter, std::size_t& k) {
     int value = 0;
     std::size_t length = 1;
-    if (is_digit(letter[k])) {
+    if (is_one_digit(letter[k])) {
       value = letter[k][0] - '0';
-    } else if (k + 3 < letter.size() && letter[k] == "{" && is_digit(letter[k + 1]) &&
-               is_digit(letter[k + 2]) && letter[k + 3] == "}") {
+    } else if (k + 3 < letter.size() && letter[k] == "{" && is_one_digit(letter[k + 1]) &&
+               is_one_digit(letter[k + 2]) && letter[k + 3] == "}") {
       value = 10 * (letter[k + 1][0] - '0') + (letter[k + 2][0] - '0');
       length = 4;
     } else {

@@ -23,7 +23,6 @@ constexpr std::size_t longest_text = 20'000, deepest = 60;
 bool among(std::string_view token, std::initializer_list<std::string_view> all) {
   return std::ranges::find(all, token) != all.end();
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The index that begins there in index notation, i or j_2; else empty.
 std::vector<std::string> index_at(const Tokens& tokens, std::size_t at) {

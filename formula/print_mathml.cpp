@@ -69,7 +69,7 @@ bool is_tall(const std::string& inside) {
 /// A bracket that grows is an operator, which opens as the first of its row and closes as the last.
 std::string bracket(const std::string& sign, bool tall) { return tag(tall ? "mo" : "mi", sign); }
 
-std::string shown(const std::string& command) {
+std::string sign_in_mathml(const std::string& command) {
   // The two forms of phi (and epsilon) are different letters.
   if (command == R"(\phi)") return "ϕ";
   if (command == R"(\epsilon)") return "ϵ";
@@ -105,13 +105,13 @@ class MathMlName : public NameWriter {
     if (has_role(token, Role::letter) || token.size() > 1 ||
         std::isalpha(static_cast<unsigned char>(token[0])) != 0)
       return tag(font == R"(\mathrm)" || font == R"(\text)" || is_upright(token) ? "mtext" : "mi",
-                 in_font(shown(token), font));
-    return tag("mo", shown(token));
+                 in_font(sign_in_mathml(token), font));
+    return tag("mo", sign_in_mathml(token));
   }
   std::string accented(const std::string& base, const std::string& accent) override {
     const bool stretches = accent != R"(\dot)" && accent != R"(\ddot)" && accent != R"(\dddot)";
-    return tag("mover",
-               single(base) + (stretches ? "<mo stretchy=\"false\">" : "<mo>") + shown(accent) + "</mo>");
+    return tag("mover", single(base) + (stretches ? "<mo stretchy=\"false\">" : "<mo>") +
+                            sign_in_mathml(accent) + "</mo>");
   }
   std::string with_scripts(const std::string& base, const std::string& below, std::size_t primes) override {
     const std::size_t last = last_of(base);
@@ -182,7 +182,7 @@ class MathMl : public Writer {
   std::string function(const std::string& name, const std::string& exponent, const Tree& x) override {
     const bool apart =
         exponent.empty() && is_plain_argument(x) && x.kind() != Kind::group && x.kind() != Kind::nothing;
-    const std::string own = tag("mi", "\u2061" + shown(name) + (apart ? "\u2009" : ""));
+    const std::string own = tag("mi", "\u2061" + sign_in_mathml(name) + (apart ? "\u2009" : ""));
     const std::string head = exponent.empty() ? own : tag("msup", own + single(exponent));
     if (!is_plain_argument(x)) return head + parentheses(of(x));
     return head + (apart || x.kind() == Kind::group || x.kind() == Kind::nothing ? "" : thin) + of(x);
@@ -197,7 +197,7 @@ class MathMl : public Writer {
   std::string parentheses(const std::string& inside) override { return brackets("(", inside, ")"); }
   std::string brackets(const std::string& opening, const std::string& inside,
                        const std::string& closing) override {
-    return between(shown(opening), inside, shown(closing));
+    return between(sign_in_mathml(opening), inside, sign_in_mathml(closing));
   }
   static std::string between(const std::string& opening, const std::string& inside,
                              const std::string& closing) {
@@ -242,11 +242,11 @@ class MathMl : public Writer {
     if (command == "+") return sign("+", true);
     if (command == ", ") return "<mo>,</mo>" + thin;
     return tag(has_role(command, Role::opening) || has_role(command, Role::closing) ? "mi" : "mo",
-               shown(command));
+               sign_in_mathml(command));
   }
   std::string large(const std::string& command, const Tree& below, const Tree* above) override {
     const bool name = has_role(command, Role::function) || command == R"(\lim)";
-    const std::string own = tag(name ? "mi" : "mo", shown(command));
+    const std::string own = tag(name ? "mi" : "mo", sign_in_mathml(command));
     const bool limits = below.kind() != Kind::nothing;
     if (!limits && !above) return own + (name ? thin : "");
     if (!limits) return tag("msup", own + single(of(*above)));

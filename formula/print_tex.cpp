@@ -1,4 +1,5 @@
 #include "formula/print.hpp"
+#include "formula/tokens.hpp"
 #include "formula/writer.hpp"
 
 namespace oddity::formula {
@@ -6,7 +7,6 @@ namespace oddity::formula {
 namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether a text ends with a command, which a following letter would extend.
 bool ends_in_command(const std::string& text) {

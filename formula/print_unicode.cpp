@@ -37,7 +37,7 @@ std::string lowered(const std::string& text) {
   return in_signs(text, "0123456789+-", {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉", "₊", "₋"});
 }
 
-std::string shown(const std::string& command) {
+std::string sign_in_unicode(const std::string& command) {
   if (command == R"(\ldots)" || command == R"(\dots)" || command == R"(\cdots)") return "...";
   if (command == R"(\imath)" || command == R"(\jmath)") return command.substr(1, 1);
   if (command == R"(\prime)") return "'";
@@ -59,7 +59,7 @@ std::string index(const std::string& text) {
 
 class UnicodeName : public NameWriter {
   std::string atom(const std::string& token, const std::string&) override {
-    return token == "-" ? token : shown(token);
+    return token == "-" ? token : sign_in_unicode(token);
   }
   std::string accented(const std::string& base, const std::string& accent) override {
     if (accent == R"(\dot)") return base + "'";
@@ -120,7 +120,7 @@ class Unicode : public Writer {
   std::string transposed(const std::string& base) override { return base + "^T"; }
   std::string function(const std::string& name, const std::string& exponent, const Tree& x) override {
     const std::string signs = raised(exponent);
-    const std::string own = word_gap + shown(name) +
+    const std::string own = word_gap + sign_in_unicode(name) +
                             (exponent.empty() ? ""
                              : !signs.empty() ? signs
                                               : "^(" + exponent + ")");
@@ -139,7 +139,7 @@ class Unicode : public Writer {
   std::string parentheses(const std::string& inside) override { return "(" + inside + ")"; }
   std::string brackets(const std::string& opening, const std::string& inside,
                        const std::string& closing) override {
-    return shown(opening) + inside + shown(closing);
+    return sign_in_unicode(opening) + inside + sign_in_unicode(closing);
   }
   std::string matrix(const std::vector<Parts>& rows, const std::string&) override {
     std::string all;
@@ -165,11 +165,13 @@ class Unicode : public Writer {
     return scripts == "!" ? base + scripts : UnicodeName().behind(base, scripts);
   }
   std::string relation(const std::string& command) override {
-    if (has_role(command, Role::relation) && command != ":") return " " + shown(command) + " ";
-    return command == "*" ? "*" : command == "-" ? "-" : command == ", " ? command : shown(command);
+    if (has_role(command, Role::relation) && command != ":") return " " + sign_in_unicode(command) + " ";
+    return command == "*" ? "*" : command == "-" ? "-" : command == ", " ? command : sign_in_unicode(command);
   }
   std::string large(const std::string& command, const Tree& below, const Tree* above) override {
-    const std::string sign = command == R"(\sum)" ? "Σ" : command == R"(\prod)" ? "Π" : shown(command);
+    const std::string sign = command == R"(\sum)"    ? "Σ"
+                             : command == R"(\prod)" ? "Π"
+                                                     : sign_in_unicode(command);
     std::string all = is_word(sign[0]) && sign.size() > 2 && static_cast<unsigned char>(sign[0]) < 0x80
                           ? word_gap + sign
                           : sign;

@@ -7,6 +7,7 @@
 #include "formula/parser.hpp"
 #include "formula/print.hpp"
 #include "formula/signs.hpp"
+#include "formula/tokens.hpp"
 
 namespace oddity::formula {
 
@@ -16,7 +17,6 @@ bool is_letter(const std::string& token) {
   const auto c = static_cast<unsigned char>(token.empty() ? ' ' : token[0]);
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c >= 0x80 || has_role(token, Role::letter);
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_bar(const std::string& token) {
   return token == "|" || token == R"(\vert)" || token == R"(\Vert)" || token == R"(\|)";
 }

@@ -12,7 +12,6 @@ namespace {
 bool among(std::string_view token, std::initializer_list<std::string_view> all) {
   return std::ranges::find(all, token) != all.end();
 }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 std::size_t length_of_command(std::string_view text) {

@@ -15,6 +15,8 @@ struct Token {
 };
 using Tokens = std::vector<Token>;
 
+inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Tokens of TeX. A number is one token only at the top level: x_12 is x with the index 1, and 2. Omits
 /// commands that only move or stretch, and braces around a single token.
 Tokens tex_tokens(std::string_view text);

@@ -213,15 +213,23 @@ std::pair<VectorXd, bool> solution(Factorization how, const MatrixXd& a, const V
   return {};
 }
 
-/// Singular values, largest first, by one-sided Jacobi rotations, which keep the digits of the small ones.
-/// Empty if they do not converge.
-std::vector<double> singular_values(const MatrixXd& a) {
+/// a = left diag(values) right^T, for a with at least as many rows as columns.
+struct Singular {
+  GslMatrix left, right;
+  std::vector<double> values = {};  ///< largest first; empty if they do not converge
+};
+
+/// By one-sided Jacobi rotations, which keep the digits of the small values.
+Singular singular(const MatrixXd& tall) {
   disable_gsl_abort();
-  const GslMatrix tall = copied(a.rows() < a.cols() ? MatrixXd(a.transpose()) : a);
-  const GslMatrix right = square(tall->size2);
-  const GslVector values = vector_of(tall->size2);
-  if (gsl_linalg_SV_decomp_jacobi(tall.get(), right.get(), values.get()) != GSL_SUCCESS) return {};
-  return {values->data, values->data + values->size};
+  Singular all{copied(tall), square(static_cast<std::size_t>(tall.cols()))};
+  const GslVector values = vector_of(all.left->size2);
+  if (gsl_linalg_SV_decomp_jacobi(all.left.get(), all.right.get(), values.get()) == GSL_SUCCESS)
+    all.values.assign(values->data, values->data + values->size);
+  return all;
+}
+std::vector<double> singular_values(const MatrixXd& a) {
+  return singular(a.rows() < a.cols() ? MatrixXd(a.transpose()) : a).values;
 }
 
 }  // namespace
@@ -282,6 +290,19 @@ int rank(const MatrixXd& a, double relative) {
   if (a.size() == 0 || !a.allFinite()) return 0;
   const std::vector<double> s = singular_values(a);
   return static_cast<int>(std::ranges::count_if(s, [&](double x) { return x > relative * s.front(); }));
+}
+
+MatrixXd pseudo_inverse(const MatrixXd& a, double relative) {
+  if (a.rows() < a.cols()) return pseudo_inverse(a.transpose(), relative).transpose();
+  MatrixXd inverse = MatrixXd::Zero(a.cols(), a.rows());
+  if (a.size() == 0 || !a.allFinite()) return inverse;
+  const Singular parts = singular(a);
+  for (std::size_t k = 0; k < parts.values.size() && parts.values[k] > relative * parts.values.front(); ++k)
+    for (Eigen::Index i = 0; i < inverse.rows(); ++i)
+      for (Eigen::Index j = 0; j < inverse.cols(); ++j)
+        inverse(i, j) += gsl_matrix_get(parts.right.get(), static_cast<std::size_t>(i), k) *
+                         gsl_matrix_get(parts.left.get(), static_cast<std::size_t>(j), k) / parts.values[k];
+  return inverse;
 }
 
 std::vector<std::complex<double>> eigenvalues(const MatrixXd& a) {

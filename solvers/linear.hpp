@@ -32,6 +32,9 @@ Solved<double> determinant(const Eigen::MatrixXd& a);
 double condition(const Eigen::MatrixXd& a);
 /// The number of singular values above `relative` times the largest; zero if a is not finite.
 int rank(const Eigen::MatrixXd& a, double relative = 1e-12);
+/// The pseudo-inverse (Moore, Penrose), with the singular values above `relative` times the largest; zero if
+/// a is not finite or they do not converge.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, double relative = 1e-12);
 /// The eigenvalues of a square matrix, in no order; empty if it is not finite or they do not converge.
 std::vector<std::complex<double>> eigenvalues(const Eigen::MatrixXd& a);
 

@@ -167,6 +167,23 @@ TEST_CASE("the condition and the rank of Hilbert's matrices", "[solvers]") {
   CHECK(near_ulps(determinant(hilbert(3)).value, 1.0 / 2160, 32));
 }
 
+TEST_CASE("the pseudo-inverse meets its four conditions, also without full rank", "[solvers]") {
+  const auto is_near = [](const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+    return (a - b).cwiseAbs().maxCoeff() < 1e-12;
+  };
+  Eigen::MatrixXd tall(4, 3);
+  tall << 1, 2, 3, 2, 4, 6, 1, 0, 1, 0, 5, 5;  // the third column is the sum of the others
+  for (const Eigen::MatrixXd& a :
+       {tall, Eigen::MatrixXd(tall.transpose()), Eigen::MatrixXd(tall.leftCols(2))}) {
+    const Eigen::MatrixXd b = pseudo_inverse(a);
+    CHECK(is_near(a * b * a, a));
+    CHECK(is_near(b * a * b, b));
+    CHECK(is_near(a * b, (a * b).transpose()));
+    CHECK(is_near(b * a, (b * a).transpose()));
+  }
+  CHECK(pseudo_inverse(Eigen::MatrixXd::Zero(2, 3)).isZero());
+}
+
 TEST_CASE("an ill-conditioned matrix loses as many digits as its condition number has", "[solvers]") {
   for (int n : {5, 8, 10}) {
     const VectorXd x = VectorXd::Ones(n);
