@@ -323,15 +323,16 @@ bool a_part_decides(const Need& need) {
 }
 
 /// Costs over a part, which limit the work over a longer one; those over the part before it for methods that
-/// were left out. Empty if nothing was chosen by the objective.
+/// were left out. Where only the budget rules all out, next to the cheapest that passes. Empty if nothing was
+/// chosen by the objective.
 std::optional<PartCosts> costs_of(const Choice& choice, const std::optional<PartCosts>& before) {
-  if (!choice.chosen || !choice.by_objective || choice.need.thorough) return {};
+  const std::optional<Candidate>& best = choice.chosen ? choice.chosen : choice.nearest_miss;
+  if (!best || !best->holds() || (choice.chosen && !choice.by_objective) || choice.need.thorough) return {};
   const auto cost = [](const Candidate& t, double spread) {
     return PartCosts::Cost{t.seconds_per_frame + spread, t.seconds_per_frame / t.evaluations_per_frame,
                            t.spread / t.seconds_per_frame};
   };
-  const Candidate& chosen = *choice.chosen;
-  PartCosts costs{{chosen.model, chosen.algorithm}, cost(chosen, chosen.spread)};
+  PartCosts costs{{best->model, best->algorithm}, cost(*best, best->spread)};
   for (const Candidate& t : choice.candidates)
     if (t.seconds_per_frame > 0 && t.evaluations_per_frame > 0)
       costs.all.emplace(PartCosts::Which{t.model, t.algorithm}, cost(t, -t.spread));

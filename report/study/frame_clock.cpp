@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "report/study/parallel.hpp"
 #include "report/study/policy.hpp"
 #include "report/study/stopwatch.hpp"
 #include "solvers/stop.hpp"
@@ -21,9 +22,10 @@ double evaluations_of(const Quantity& motion, const Method& method, double setti
 
 void FrameClock::time(Candidate& candidate) const {
   const Time time = time_per_frame(candidate);
-  const double with_restarts = worst_part(candidate) * (1 + restarting(candidate));
-  candidate.seconds_per_frame = with_restarts * time.seconds;
-  candidate.spread = std::isfinite(time.spread) ? with_restarts * time.spread : 0;
+  double times = 1 + restarting(candidate);
+  if (times * time.seconds <= need_.budget) times *= worst_part(candidate);
+  candidate.seconds_per_frame = times * time.seconds;
+  candidate.spread = std::isfinite(time.spread) ? times * time.spread : 0;
 }
 
 bool FrameClock::time_all(const std::vector<Candidate*>& candidates) {
@@ -41,24 +43,29 @@ bool FrameClock::time_all(const std::vector<Candidate*>& candidates) {
   return !untimed.empty();
 }
 
-/// Evaluations per frame in the costliest part of the horizon, over the average: a budget has to hold there.
+/// Evaluations per frame in the costliest part of the horizon, over the average: a budget that holds on
+/// average has to hold there as well.
 double FrameClock::worst_part(const Candidate& candidate) const {
   const auto frames = static_cast<int>(need_.frames());
-  if (!std::isfinite(need_.budget) || candidate.evaluations_per_frame == 0 || frames < policy.budget_parts)
-    return 1;
-  double before = 0, most = 0;
-  for (int part = 1, from = 0; part <= policy.budget_parts; ++part) {
-    check_stop();
-    const int to = frames * part / policy.budget_parts;
-    const Quantity until = starts_.first_frames(to);
-    const Method* method = method_of(until, candidate.model, candidate.algorithm);
-    if (!method) return 1;
-    const double evaluations = evaluations_of(until, *method, candidate.setting);
-    most = std::max(most, (evaluations - before) / (to - from));
-    before = evaluations;
-    from = to;
-  }
-  return std::max(1.0, most / candidate.evaluations_per_frame);
+  constexpr auto parts = static_cast<std::size_t>(policy.budget_parts);
+  const double average = candidate.evaluations_per_frame;
+  if (!std::isfinite(need_.budget) || average == 0 || frames < policy.budget_parts) return 1;
+  const auto end_of = [&](std::size_t part) { return static_cast<int>(part) * frames / policy.budget_parts; };
+  std::vector<double> until(parts + 1, 0);
+  const auto count = [&](std::size_t part) {
+    const Quantity seen = starts_.first_frames(end_of(part));
+    const Method* method = method_of(seen, candidate.model, candidate.algorithm);
+    if (method) until[part] = evaluations_of(seen, *method, candidate.setting);
+  };
+  count(1);
+  // Of fixed steps each takes the same number of evaluations, except the first ones of a multistep method.
+  const double later = (std::round(average * frames) - until[1]) / (frames - end_of(1));
+  if (later == std::round(later)) return std::max(1.0, std::max(later, until[1] / end_of(1)) / average);
+  in_parallel(parts - 1, [&](std::size_t i) { count(i + 2); });
+  double most = 0;
+  for (std::size_t part = 1; part <= parts; ++part)
+    most = std::max(most, (until[part] - until[part - 1]) / (end_of(part) - end_of(part - 1)));
+  return std::max(1.0, most / average);
 }
 
 /// Times a long run over its first frames only, as an evaluation takes as long there: over a twentieth of

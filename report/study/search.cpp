@@ -113,7 +113,8 @@ void Search::climb_chosen_over_part() {
 /// as much as over a part. Returns whether there are any.
 bool Search::readmit(const Picked& picked) {
   const double most =
-      picked.chosen && picked.by_objective ? policy.noisy_tie * picked.chosen->seconds_per_frame : unlimited;
+      policy.noisy_tie *
+      (picked.chosen && picked.by_objective ? picked.chosen->seconds_per_frame : need_.budget);
   const auto back = std::ranges::stable_partition(too_costly_, [&](const Ladder& ladder) {
     return cost_over_part(ladder).per_frame > most || picker_.is_faulted(ladder.method().model);
   });
