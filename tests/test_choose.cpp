@@ -845,6 +845,33 @@ TEST_CASE("the objective's method is searched within the budget where something 
   CHECK(choice.chosen->model == "stepping");
 }
 
+TEST_CASE("a budget has to hold in the costliest part of the horizon", "[choose]") {
+  const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
+    Quantity q = staying(p["a"], horizon);
+    const auto add_counted = [&](const std::string& model, long (*count)(long frames)) {
+      q.add(method(
+          model, "explicit Euler", no_resolution(), p["a"], q.samples, [](double) { return 1e-5; },
+          [=, frames = horizon.count()](double) { return count(frames); }));
+    };
+    add_counted("steady", [](long frames) { return 3 * frames; });
+    add_counted("with a start", [](long frames) { return 2 * frames + 40; });
+    add_counted("uneven", [](long frames) { return frames + 6 * std::clamp(frames - 200, 0L, 20L); });
+    return q;
+  };
+  const auto costs = [&](double budget) {
+    Need need = asked(1e-3, 40);
+    need.budget = budget;
+    std::map<std::string, double> all;
+    for (const Candidate& t : choose_at_5(scene, need).candidates) all[t.model] = 1e9 * t.seconds_per_frame;
+    return all;
+  };
+  for (auto& [model, cost] : costs(std::numeric_limits<double>::infinity()))
+    CHECK(near(cost, model == "steady" ? 3 : model == "uneven" ? 1.3 : 2.1, 1e-9));
+  for (auto& [model, cost] : costs(1e-8))
+    CHECK(near(cost, model == "steady" ? 3 : model == "uneven" ? 7 : 4, 1e-9));
+  CHECK(near(costs(1.2e-9).at("uneven"), 1.3, 1e-9));  // beyond it on average already
+}
+
 TEST_CASE("errors within 10 % count as equal", "[choose]") {
   const auto scene = [](const Parameters& p, const Horizon& horizon, const Reference&) {
     Quantity q = staying(p["a"], horizon);
