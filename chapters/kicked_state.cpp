@@ -38,7 +38,7 @@ Eigen::VectorXd seen_of(const ModelInterfaceOf<n>& model, const std::array<doubl
 using Seen = std::function<Eigen::VectorXd(const Eigen::VectorXd& state)>;
 using Rhs = std::function<void(const double* x, double* dxdt, double t)>;
 
-/// How what is seen changes with the state.
+/// Derivatives of the observables, constraints and rates with respect to the state.
 Eigen::MatrixXd change_of_seen(const Seen& seen, const Eigen::VectorXd& x) {
   constexpr double part = 1e-4;
   Eigen::MatrixXd change(seen(x).size(), x.size());

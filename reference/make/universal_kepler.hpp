@@ -62,7 +62,7 @@ Number halved(const At& moment, const Number& t, Number low, Number high, int di
   return between(low, high);
 }
 
-/// The same by Newton's method, each step within the bracket.
+/// That chi by Newton's method, each step within the bracket.
 template <class At>
 Number by_newton(const At& moment, const Number& t, Number low, Number high) {
   Number chi = (low + high) / 2, moved = chi;

@@ -58,7 +58,7 @@ double FrameClock::worst_part(const Candidate& candidate) const {
     if (method) until[part] = evaluations_of(seen, *method, candidate.setting);
   };
   count(1);
-  // Of fixed steps each takes the same number of evaluations, except the first ones of a multistep method.
+  // Fixed steps take the same number of evaluations each, except the first ones of a multistep method.
   const double later = (std::round(average * frames) - until[1]) / (frames - end_of(1));
   if (later == std::round(later)) return std::max(1.0, std::max(later, until[1] / end_of(1)) / average);
   in_parallel(parts - 1, [&](std::size_t i) { count(i + 2); });

@@ -76,7 +76,7 @@ struct PartCosts {
   using Which = std::pair<std::string, std::string>;  ///< model and algorithm
   struct Cost {
     double per_frame, per_evaluation;  ///< s
-    double spread = 1;                 ///< of the repeats, as a part of the time
+    double spread = 1;                 ///< spread of the repeats, as a part of the time
   };
   Which chosen;
   Cost of_chosen;
@@ -180,7 +180,7 @@ class InitialConditions {
   std::shared_ptr<const PartJudged> part_;
   Random random_{7};
   std::map<std::string, int> left_out_;
-  std::shared_ptr<Lazy<Parting>> parting_;  ///< of the requested start; others next to it are alike
+  std::shared_ptr<Lazy<Parting>> parting_;  ///< that of the requested start, used for all
 };
 
 }  // namespace oddity

@@ -80,8 +80,8 @@ double Search::most_of_a_tie(const Ladder& ladder) const {
   return apart > 0 ? std::clamp(apart, policy.near_tie, policy.noisy_tie) : policy.noisy_tie;
 }
 
-/// The most evaluations per frame to try a setting with. The method chosen over a part can be picked here: a
-/// setting that costs more could not tie with it, or would not be cheaper if it may not be chosen.
+/// The most evaluations per frame to try a setting with: the method chosen over a part can be picked here.
+/// With more, an eligible setting could not tie with it. Any other would not be cheaper.
 double Search::most_evaluations(const Ladder& ladder) const {
   if (!comparable_) return unlimited;
   constexpr double estimate = policy.near_tie;
