@@ -83,7 +83,8 @@ std::vector<Numbers> along(const Route& route, std::vector<double> inputs, const
 }  // namespace
 
 Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
-                 const std::vector<double>& times, int digits, std::size_t compared, const Tick& tick) {
+                 const std::vector<double>& times, int digits, std::size_t compared, const Tick& tick,
+                 std::optional<int> rounded) {
   const std::size_t stride = std::max<std::size_t>(1, times.size() / std::max<std::size_t>(1, compared));
   const auto is_compared = [&](std::size_t i) { return (times.size() - 1 - i) % stride == 0; };
   std::optional<std::vector<Numbers>> second;
@@ -100,7 +101,7 @@ Made make_motion(const Truth& truth, const std::vector<double>& inputs_but_time,
   if (!second) second = making_second.get();
   Made made{{}, 0};
   for (std::size_t i = 0; i < times.size(); ++i) {
-    compare(truth, first[i], is_compared(i) ? (*second)[i] : first[i], digits, made.error);
+    compare(truth, first[i], is_compared(i) ? (*second)[i] : first[i], rounded.value_or(digits), made.error);
     made.value.insert(made.value.end(), first[i].begin(), first[i].end());
     if (is_compared(i)) made.error_until.resize(i + 1, power_of_ten_above(made.error));
   }

@@ -108,9 +108,10 @@ using Tick = std::function<void(double done)>;
 
 /// A motion, whose last input is the time, at ascending `times`: one integration by each route. Returns the
 /// first route's values in turn. The second bounds their error at `compared` of the times, evenly spread,
-/// including the last. Throws as make_row, and exceptions of `tick`.
+/// including the last; it is at least the rounding to `rounded` digits, or else to `digits`. Throws as
+/// make_row, and exceptions of `tick`.
 Made make_motion(const Truth&, const std::vector<double>& inputs_but_time, const std::vector<double>& times,
-                 int digits, std::size_t compared, const Tick& tick = {});
+                 int digits, std::size_t compared, const Tick& tick = {}, std::optional<int> rounded = {});
 
 /// The smallest power of ten that is not below x.
 Number power_of_ten_above(const Number& x);

@@ -4,7 +4,9 @@
 // A ball released in a half cylinder of radius R whose axis falls by H over its length L. With e down the
 // axis, n its upward normal and f the horizontal, X = s e + R n + R (sin(phi) f - cos(phi) n).
 //   angle   s = u t + g sin(theta) t^2/2,  phi'' = -(g cos(theta)/R) sin(phi).
-//   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2
+//   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2, in the directions e, f and
+//   n:
+//           after long times the distance along the axis would hide the others' digits
 namespace oddity::truth {
 
 namespace chute_03_13 {
@@ -24,19 +26,18 @@ struct Axis {
 
 Numbers by_taylor(const std::vector<double>& in, Precision digits) {
   const Axis axis(in);
-  const Number &c = axis.c, &s = axis.s, &g = axis.g, u = in[5], height = axis.R / axis.c;
-  const auto rhs = [&](const auto& x, const auto&) {
-    const auto z = x[2] - height;
-    const auto along = c * x[0] - s * z, speed = c * x[3] - s * x[5];
-    const auto n1 = x[0] - c * along, n3 = z + s * along;
-    const auto w1 = x[3] - c * speed, w3 = x[5] + s * speed;
-    const auto m = (g * n3 - w1 * w1 - x[4] * x[4] - w3 * w3) / (n1 * n1 + x[1] * x[1] + n3 * n3);
-    return std::vector{x[3], x[4], x[5], m * n1, m * x[1], m * n3 - g};
+  const Number along = axis.g * axis.s, across = axis.g * axis.c;  // gravity's parts
+  const auto rhs = [&](const auto& x, const auto& t) {
+    const auto &f = x[1], &n = x[2], &vf = x[4], &vn = x[5];
+    const auto m = (across * n - vf * vf - vn * vn) / (f * f + n * n);
+    return std::vector{x[3], vf, vn, Number(0) * t + along, m * f, m * n - across};
   };
-  Numbers start = axis.position(0, Number(in[4]));
-  start.insert(start.end(), {u * c, Number(0), -u * s});
-  const Numbers x = solve_taylor(rhs, start, 0, Number(in[6]), digits + 6);
-  return {x[0], x[1], x[2]};
+  const Number phi = in[4];
+  const Numbers x = solve_taylor(
+      rhs, {Number(0), axis.R * sin(phi), -axis.R * cos(phi), Number(in[5]), Number(0), Number(0)}, 0,
+      Number(in[6]), digits + 6);
+  const Number up = axis.R + x[2];
+  return {x[0] * axis.c + up * axis.s, x[1], up * axis.c - x[0] * axis.s};
 }
 
 Numbers by_taylor_of_angle(const std::vector<double>& in, Precision digits) {
@@ -71,7 +72,7 @@ Truth truth_03_13_chute() {
       {"R", "L", "H", "g", "phi", "u", "t"},
       {{"x1", "m"}, {"x2", "m"}, {"x3", "m"}},
       rows,
-      "Taylor series of the Cartesian equations with the multiplier",
+      "Taylor series of the Cartesian equations with the multiplier, along and across the axis",
       by_taylor,
       "uniform acceleration along the axis, extrapolated midpoint rule on the angle about it",
       by_angle,

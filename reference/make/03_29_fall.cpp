@@ -3,7 +3,8 @@
 
 // A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin, the velocity (u, v) and
 // the angular velocity w. Its mark is its first end. The second route has two particles of mu0/2 each, at the
-// distance k = sqrt(mu2/mu0) from the center of mass, joined by a massless rod.
+// distance k = sqrt(mu2/mu0) from the center of mass, joined by a massless rod; half their sum and half their
+// difference move, as after a long fall the particles' places would hide the rod's digits.
 namespace oddity::truth {
 
 namespace fall_03_29 {
@@ -19,14 +20,15 @@ Numbers by_particles(const std::vector<double>& in, Precision digits) {
   const Number q = in[0], u = in[2], v = in[3], w = in[4], g = in[5], t = in[6];
   const auto wire = wire::by_quadrature(wire::parabola, q, in[1], digits + 3);
   const Number k = sqrt(wire.mu2 / wire.mu0);
-  const auto rhs = [&](const auto& x, const auto&) {
-    const auto dx = x[0] - x[2], dy = x[1] - x[3], du = x[4] - x[6], dv = x[5] - x[7];
-    const auto hold = (du * du + dv * dv) / (dx * dx + dy * dy) / Number(2);
-    return std::vector{x[4], x[5], x[6], x[7], -(hold * dx), -(hold * dy) - g, hold * dx, hold * dy - g};
+  const auto rhs = [&](const auto& x, const auto& now) {
+    const auto &dx = x[2], &dy = x[3], &du = x[6], &dv = x[7];
+    const auto hold = (du * du + dv * dv) / (dx * dx + dy * dy);
+    const auto nothing = Number(0) * now;
+    return std::vector{x[4], x[5], du, dv, nothing, nothing - g, -(hold * dx), -(hold * dy)};
   };
-  const Numbers x = solve_taylor(rhs, {k, 0, -k, 0, u, v + w * k, u, v - w * k}, 0, t, digits + 4);
-  const Number c = (x[0] - x[2]) / (2 * k), s = (x[1] - x[3]) / (2 * k);
-  return {(x[0] + x[2]) / 2 - c * wire.x + s * wire.y, (x[1] + x[3]) / 2 - s * wire.x - c * wire.y};
+  const Numbers x = solve_taylor(rhs, {0, 0, k, 0, u, v, 0, w * k}, 0, t, digits + 4);
+  const Number c = x[2] / k, s = x[3] / k;
+  return {x[0] - c * wire.x + s * wire.y, x[1] - s * wire.x - c * wire.y};
 }
 
 }  // namespace fall_03_29

@@ -115,7 +115,7 @@ Need game_need();
 std::vector<double> needs_of(const Need&, const Quantity& motion);
 
 /// Error of a true motion in needs below which only trials close to the need or its margin need a better one.
-constexpr double known_very_well = 1e-3;
+constexpr double known_very_well = 4e-3;
 
 /// Whether the error of the true motion is too far below the needs to decide anything.
 bool is_known_well(const Quantity& motion);
