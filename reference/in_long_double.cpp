@@ -18,8 +18,8 @@ namespace {
 
 constexpr bool is_double = std::is_same_v<truth::Number, double>;
 constexpr int asked_digits = is_double ? digits_in_double : digits_in_long_double;
-// Routes that are asked for 8 digits in double agree to 12 or more over an hour. Their roundings are alike,
-// and up to twice the disagreement.
+// Routes that are asked for 8 digits in double agree to 12 or more over an hour. Errors are up to twice their
+// disagreement.
 constexpr int rounded_digits = is_double ? 13 : asked_digits;
 constexpr truth::Number times_disagreement = is_double ? 3 : 1;
 
