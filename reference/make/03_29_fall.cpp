@@ -3,8 +3,8 @@
 
 // A wire along y = x^2 from 0 to q is thrown with its center of mass at the origin, the velocity (u, v) and
 // the angular velocity w. Its mark is its first end. The second route has two particles of mu0/2 each, at the
-// distance k = sqrt(mu2/mu0) from the center of mass, joined by a massless rod. Its unknowns are half their sum
-// and half their difference. After a long fall the particles' own places would hide digits of the rod.
+// distance k = sqrt(mu2/mu0) from the center of mass, joined by a massless rod. Its unknowns are half their
+// sum and half their difference. After a long fall the particles' own places would hide digits of the rod.
 namespace oddity::truth {
 
 namespace fall_03_29 {
