@@ -132,7 +132,7 @@ TEST_CASE("motions in double are within their stated errors at every frame, from
         const auto declared = std::ranges::find(p.declared(), name, &Parameter::name);
         p.set(name, std::clamp(declared->value * random.between(0.9, 1.1), declared->least, declared->most));
       }
-      const Horizon horizon{6 * scene.horizon, 360};
+      const Horizon horizon = i == 0 ? Horizon{360 * scene.horizon, 5400} : Horizon{6 * scene.horizon, 360};
       const Quantity fast = motion(scene, p, horizon, known().to_digits(digits_in_double)),
                      slow = motion(scene, p, horizon, known().to_digits(digits_in_long_double));
       INFO(to_string(entry.number) << ": " << fast.reference.by);

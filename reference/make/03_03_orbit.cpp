@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "reference/make/routes.hpp"
 #include "reference/make/taylor.hpp"
 #include "reference/make/universal_kepler.hpp"
@@ -24,8 +26,9 @@ Numbers by_kepler(const std::vector<double>& in, Precision digits) {
 }
 
 /// The time nearest to zero at which an ellipse is at the same point as at t: t less whole periods, by the
-/// third law. For other orbits, t itself.
+/// third law. For other orbits, t itself, and in double, where both routes would have the period's rounding.
 Number within_a_turn(const Start& a, const Number& t) {
+  if (std::is_same_v<Number, double>) return t;
   const Number axis = 1 / (2 / a.r0 - (a.vx * a.vx + a.vy * a.vy) / a.mu);
   if (!(axis > 0)) return t;
   const Number period = 2 * pi() * axis * sqrt(axis / a.mu);

@@ -58,6 +58,7 @@ double FrameClock::worst_part(const Candidate& candidate) const {
     if (method) until[part] = evaluations_of(seen, *method, candidate.setting);
   };
   count(1);
+  if (until[1] == 0) return 1;
   // Fixed steps take the same number of evaluations each, except the first ones of a multistep method.
   const double later = (std::round(average * frames) - until[1]) / (frames - end_of(1));
   if (later == std::round(later)) return std::max(1.0, std::max(later, until[1] / end_of(1)) / average);
