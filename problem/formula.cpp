@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 10> calls{"if",    "abs",    "max",      
 constexpr std::array<std::string_view, 4> of_one{"abs", "sign", "conjugate", "transposed"};
 
 bool among(std::string_view word, const auto& all) { return std::ranges::find(all, word) != all.end(); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using formula::is_digit;
 bool begins_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool in_name(char c) { return begins_name(c) || is_digit(c); }
 

@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "formula/tokens.hpp"
 #include "reference/similar.hpp"
 #include "reference/text.hpp"
 
@@ -20,7 +21,7 @@ constexpr std::size_t most_statements = 20'000, most_of_a_formula = 20'000;
 constexpr int deepest = 100;
 constexpr long most_work = 1'000'000;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+using formula::is_digit;
 bool begins_name(char c) { return (c >= 'a' && c <= 'z') || c == '_'; }
 bool in_name(char c) { return begins_name(c) || is_digit(c); }
 bool among(std::string_view word, const auto& all) { return std::ranges::find(all, word) != std::end(all); }

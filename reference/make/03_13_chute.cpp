@@ -4,9 +4,8 @@
 // A ball released in a half cylinder of radius R whose axis falls by H over its length L. With e down the
 // axis, n its upward normal and f the horizontal, X = s e + R n + R (sin(phi) f - cos(phi) n).
 //   angle   s = u t + g sin(theta) t^2/2,  phi'' = -(g cos(theta)/R) sin(phi).
-//   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2, in the directions e, f and
-//   n:
-//           after long times the distance along the axis would hide the others' digits
+//   space   X'' = -g k + m N, N = (X - P) - D D.(X - P), m from N.X'' = -|N'|^2, in the directions e, f
+//           and n. After a long time the distance along the axis would hide digits of the others.
 namespace oddity::truth {
 
 namespace chute_03_13 {
